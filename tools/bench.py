@@ -27,13 +27,15 @@ from toolchain.place import Missing  # noqa: E402
 
 COLUMNS = ("name", "plants", "threads", "median_ms", "us_per_plant", "renderer")
 RENDERERS = ("forward_plus", "gl_compatibility")
-TIMEOUT = 600
+TIMEOUT = 600  # s
+SCENE_TIMEOUT = 1800  # s: a software renderer draws a million plants.
 ENGINE_SCRIPTS = {
     "plants": "engine_bench",
     "fields": "field_bench",
     "edits": "edits_bench",
     "many": "many_fields_bench",
     "ground": "ground_bench",
+    "scene": "scene_bench",
 }
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
 PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
@@ -64,9 +66,9 @@ def rows_in(output):
     return json.JSONDecoder().raw_decode("\n".join(output.splitlines()[start:]))[0]
 
 
-def measure(name, words, environment=None):
+def measure(name, words, environment=None, timeout=TIMEOUT):
     """The rows that a program prints; it shows the program's words and stops where there are none."""
-    answer = subprocess.run(words, stdout=subprocess.PIPE, text=True, timeout=TIMEOUT, env=environment, cwd=ROOT)
+    answer = subprocess.run(words, stdout=subprocess.PIPE, text=True, timeout=timeout, env=environment, cwd=ROOT)
     try:
         return rows_in(answer.stdout)
     except ValueError as error:
@@ -111,6 +113,17 @@ def drawn_rows(start, surroundings):
     return rows
 
 
+def scene_rows(start, surroundings):
+    """The counts of scene_bench.gd, which a renderer must draw; nothing where there is no virtual display."""
+    words = [*start("scene_bench"), "--rendering-method", "forward_plus", "--audio-driver", "Dummy"]
+    try:
+        with display.virtual(1920, 1080) as environment:
+            return measure("scene_bench in forward_plus", words, surroundings(environment), SCENE_TIMEOUT)
+    except Missing as missing:
+        print(f"scene_bench in forward_plus is not measured: {missing}")
+        return []
+
+
 def table(rows):
     texts = [COLUMNS] + [tuple(text(row.get(column)) for column in COLUMNS) for row in rows]
     widths = [max(len(line[i]) for line in texts) for i in range(len(COLUMNS))]
@@ -153,6 +166,7 @@ def main():
     surroundings = exporting.surroundings if options.release else engine.private_home
     for script in (name for part, name in ENGINE_SCRIPTS.items() if part in parts):
         rows += measure(script, [*start(script), "--headless"], surroundings(os.environ))
+    rows += scene_rows(start, surroundings) if "scene" in parts else []
     rows += drawn_rows(start, surroundings) if "drawn" in parts else []
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")

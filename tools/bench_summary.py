@@ -30,7 +30,7 @@ def lines(rows):
     lines = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         lines += field_lines(found, renderer)
-    return [*lines, *fill_lines(found), *edit_lines(rows), *peer_lines(found)]
+    return [*lines, *fill_lines(found), *edit_lines(rows), *scene_lines(rows), *peer_lines(found)]
 
 
 def kernel_lines(rows):
@@ -47,6 +47,22 @@ def edit_lines(rows):
                    for row in rows if "workers_us_per_plant" in row]
 
 
+def scene_lines(rows):
+    """What the meadow mix costs, and its memory per plant: the growth from one number of plants to the next."""
+    lines = [f"{row['name']}, {row['plants']:,} plants: {row['draw_calls']:,} draw calls and "
+             f"{row['shadow_draw_calls']:,} for shadows; {row['primitives'] / 1e6:.2f} and "
+             f"{row['shadow_primitives'] / 1e6:.2f} M primitives; {row['video_mb']:.0f} MB of video memory"
+             for row in rows if "draw_calls" in row]
+    lines += [f"{row['name']}, {row['plants']:,} plants: the first after {row['first_plant_ms']:.0f} ms, all after "
+              f"{row['all_plants_ms']:.0f} ms; {row['resident_mb']:.0f} MB resident"
+              for row in rows if "first_plant_ms" in row]
+    for member, what in (("resident_mb", "resident memory"), ("video_mb", "video memory")):
+        scenes = [row for row in rows if row["name"] == "scene" and member in row]
+        lines += [f"scene: {1e6 * (more[member] - less[member]) / (more['plants'] - less['plants']):.0f} bytes of {what} "
+                  f"a plant from {less['plants']:,} to {more['plants']:,}" for less, more in zip(scenes, scenes[1:])]
+    return lines
+
+
 def stem_lines(found):
     """Stems beside the spring law."""
     lines = []
@@ -58,7 +74,7 @@ def stem_lines(found):
                 lines.append(f"{name}, {level}, 10,000 plants: {ratio:.2f} times the spring law's page")
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         for name, what in (("field_frame_stems", "stems"),
-                           ("field_frame_stems_asleep", "stems of two modes that nobody pushes"),
+                           ("field_frame_stems_asleep", "stems of two modes without a push"),
                            ("field_frame_stems_two_modes", "stems of two modes that are pushed")):
             ratio = found.ratio(found.find(name, PLANTS, renderer=renderer),
                                 found.find("field_frame_spring", PLANTS, renderer=renderer))

@@ -29,7 +29,7 @@ var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
 var _gizmos: Array[EditorNode3DGizmoPlugin] = []
 # Where gizmos go whose node is no more.
-var _stand_in: Node3D
+var _placeholder: Node3D
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
 # Fills fields again whose ground was moved: editor/field/ground_watch.gd.
@@ -68,7 +68,7 @@ func _exit_tree() -> void:
 	_brush = null
 	_ground_watch.call(&"close")
 	_ground_watch = null
-	_stand_in.free()  # Only now: they have taken their gizmos from their nodes.
+	_placeholder.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
 	remove_export_plugin(_export_check)
 	remove_dock(_dock)
@@ -173,11 +173,11 @@ func _add_helpers() -> void:
 
 
 func _add_gizmos() -> void:
-	_stand_in = Node3D.new()
+	_placeholder = Node3D.new()
 	for file in GIZMOS:
 		var plugin: EditorNode3DGizmoPlugin = (_load(file) as GDScript).new()
 		add_node_3d_gizmo_plugin(plugin)
-		plugin.call(&"setup", get_undo_redo(), _stand_in)
+		plugin.call(&"setup", get_undo_redo(), _placeholder)
 		_gizmos.append(plugin)
 
 

@@ -33,7 +33,7 @@ var is_flying := false:
 		if flies == is_flying:
 			return
 		is_flying = flies
-		_stand_by()
+		_apply_mode()
 		flight_changed.emit(flies)
 
 var _velocity := Vector3.ZERO
@@ -43,7 +43,7 @@ var _time := 0.0
 
 
 func _ready() -> void:
-	_stand_by()
+	_apply_mode()
 
 
 func _unhandled_input(event: InputEvent) -> void:
@@ -53,7 +53,7 @@ func _unhandled_input(event: InputEvent) -> void:
 
 func _process(delta: float) -> void:
 	var climb := Input.get_axis(&"fly_down", &"fly_up")
-	_keys.hear(delta, climb != 0.0)
+	_keys.update(delta, climb != 0.0)
 	_time += delta
 	_height = clampf(_height + climb * CLIMB * delta, LOWEST, HIGHEST)
 	var wanted := _steered() if is_steered() else _on_round()
@@ -95,9 +95,9 @@ func _turn(delta: float) -> void:
 	global_rotation = Vector3(-LEAN * _velocity.length(), yaw, 0.03 * sin(1.7 * _time))
 
 
-func _stand_by() -> void:
+func _apply_mode() -> void:
 	active = is_flying
 	visible = is_flying
 	set_process(is_flying)
-	walker.set(&"hears_keys", not is_flying)
+	walker.set(&"uses_keys", not is_flying)
 	camera.set(&"companion", self if is_flying else walker)

@@ -22,7 +22,7 @@ const TURNING := 6.0  # 1/s.
 @export_range(1.0, 200.0, 1.0, "suffix:m") var roaming_radius := 34.0
 
 ## Whether the keys steer it.
-var hears_keys := true
+var uses_keys := true
 
 var _keys := KeySteering.new()
 var _velocity := Vector2.ZERO
@@ -32,18 +32,18 @@ var _velocity := Vector2.ZERO
 
 func _ready() -> void:
 	var place := _route_place()
-	_stand(Vector2(place.x, place.y))
+	_move_to(Vector2(place.x, place.y))
 
 
 func _process(delta: float) -> void:
-	if hears_keys:
-		_keys.hear(delta)
+	if uses_keys:
+		_keys.update(delta)
 	else:
 		_keys.ignore(delta)
 	var wanted := _steered() if is_steered() else _on_route(delta)
 	_velocity = _velocity.lerp(wanted, 1.0 - exp(-TURNING * delta))
 	var here := Vector2(global_position.x, global_position.z) + _velocity * delta
-	_stand(here.limit_length(roaming_radius))
+	_move_to(here.limit_length(roaming_radius))
 	if _velocity.length() > 0.1:
 		var yaw := atan2(_velocity.x, _velocity.y)
 		global_rotation.y = lerp_angle(global_rotation.y, yaw, 1.0 - exp(-TURNING * delta))
@@ -74,6 +74,6 @@ func _route_place() -> Vector2:
 	return Vector2(place.x, place.z)
 
 
-func _stand(place: Vector2) -> void:
+func _move_to(place: Vector2) -> void:
 	var height := float(ground.call(&"height_at", place.x, place.y)) if ground else 0.0
 	global_position = Vector3(place.x, height, place.y)

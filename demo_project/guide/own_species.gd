@@ -10,12 +10,12 @@ func _fill(row: HBoxContainer) -> void:
 	for i in TITLES.size():
 		var tuft := Tuft.new()
 		tuft.steps = i + 1
-		_stand(row, TITLES[i], tuft)
-	_stand(row, "four functions", Foxtail.new())
-	_stand(row, "curves", _make_thistle())
+		_add_plant(row, TITLES[i], tuft)
+	_add_plant(row, "four functions", Foxtail.new())
+	_add_plant(row, "curves", _make_thistle())
 
 
-func _stand(row: HBoxContainer, title: String, species: PlantFunction) -> void:
+func _add_plant(row: HBoxContainer, title: String, species: PlantFunction) -> void:
 	var from := Vector3(0.0, 0.75, 2.0)
 	var world := add_cell(row, title, from, Vector3(0.0, 0.32, 0.0), 30.0)
 	var plant := Plant3D.new()

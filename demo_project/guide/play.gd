@@ -13,7 +13,7 @@ func _fill(row: HBoxContainer) -> void:
 	_mown = make_field(FILES, 40.0, Vector2(5.5, 5.5))
 	add_cell(row, "remove_along", FROM, Vector3.ZERO, 44.0).add_child(_mown)
 	_mown.build_finished.connect(_mow)
-	_blow(add_cell(row, "PlantWindSource3D", FROM, Vector3.ZERO, 44.0))
+	_add_wind(add_cell(row, "PlantWindSource3D", FROM, Vector3.ZERO, 44.0))
 
 
 func _walk(world: Node3D) -> void:
@@ -38,7 +38,7 @@ func _mow() -> void:
 	_mown.remove_along(way, 0.9)
 
 
-func _blow(world: Node3D) -> void:
+func _add_wind(world: Node3D) -> void:
 	var field := make_field(FILES, 40.0, Vector2(5.5, 5.5))
 	field.wind = PlantWind.new()
 	field.wind.strength = 0.0

@@ -30,8 +30,8 @@ func _process(delta: float) -> void:
 		_show(index, fields[index].get_statistics())
 
 
-func _show(index: int, told: Dictionary) -> void:
-	var cost: float = told["step_usec"] + told["upload_usec"]
+func _show(index: int, figures: Dictionary) -> void:
+	var cost: float = figures["step_usec"] + figures["upload_usec"]
 	var is_first := _costs[index] == 0.0
 	_costs[index] = cost if is_first else lerpf(_costs[index], cost, SMOOTHING)
 	var share := 100.0 * _costs[index] / maxf(_costs[0], 0.1)
@@ -39,8 +39,8 @@ func _show(index: int, told: Dictionary) -> void:
 		"%s\n%s of %s simulated\n%s a frame, %d %%"
 		% [
 			titles[index],
-			Figures.as_count(told["simulated"]),
-			Figures.as_count(told["plants"]),
+			Figures.as_count(figures["simulated"]),
+			Figures.as_count(figures["plants"]),
 			Figures.as_time(_costs[index]),
 			roundi(share),
 		]

@@ -21,14 +21,14 @@ func _ready() -> void:
 	for row in species.size():
 		for column in levels.size():
 			var x := (column - (levels.size() - 1) / 2.0 + row * 0.5) * gap
-			_stand(row, levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
+			_add_plant(row, levels[column], Vector3(x, 0.0, -row * ROW_DEPTH))
 		_write(
 			row_names[row],
 			Vector3((row - levels.size()) * 0.5 * gap, 0.5 * height, -row * ROW_DEPTH)
 		)
 
 
-func _stand(row: int, segments: int, place: Vector3) -> void:
+func _add_plant(row: int, segments: int, place: Vector3) -> void:
 	var plant := Plant3D.new()
 	plant.species = species[row]
 	plant.wind = wind

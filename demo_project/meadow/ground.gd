@@ -43,7 +43,7 @@ func _process(_delta: float) -> void:
 	if wind.kind == PlantWind.KIND_AIR:
 		wind.apply_to_material(material)
 	else:
-		material.set_shader_parameter(&"undergrowth_stand_air", Vector4.ZERO)
+		material.set_shader_parameter(&"undergrowth_canopy_air", Vector4.ZERO)
 
 
 # The mesh follows from the other properties: a scene that was saved in the editor does without it.

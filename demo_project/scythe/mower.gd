@@ -24,7 +24,7 @@ var _velocity := Vector2(0.0, -1.0)
 
 
 func _physics_process(delta: float) -> void:
-	_keys.hear(delta)
+	_keys.update(delta)
 	var wanted := _velocity.normalized().rotated(turning * delta) * speed
 	if is_steered():
 		wanted = _keys.seen_from(self) * 2.0 * speed

@@ -11,7 +11,7 @@ const SWING := 2.5  # m.
 ## The mower.
 @export var mower: Node3D
 
-@onready var _told: Label = %Told
+@onready var _message: Label = %Message
 @onready var _load: Button = %Load
 
 
@@ -35,17 +35,17 @@ func _save() -> void:
 	var bytes := field.get_changes()
 	var file := FileAccess.open(FILE, FileAccess.WRITE)
 	if file == null or not file.store_buffer(bytes):
-		_told.text = "could not be written"
+		_message.text = "could not be written"
 		return
 	_load.disabled = false
-	_told.text = "saved in %.1f KiB" % (bytes.size() / 1024.0)
+	_message.text = "saved in %.1f KiB" % (bytes.size() / 1024.0)
 
 
 func _bring_back() -> void:
 	var is_sound := field.apply_changes(FileAccess.get_file_as_bytes(FILE))
-	_told.text = "as it was saved" if is_sound else "the file is damaged"
+	_message.text = "as it was saved" if is_sound else "the file is damaged"
 
 
 func _cut() -> void:
 	var ahead := mower.global_position - mower.global_basis.z * SWING
-	_told.text = "%d plants cut" % field.remove_in_sphere(ahead, SWING)
+	_message.text = "%d plants cut" % field.remove_in_sphere(ahead, SWING)

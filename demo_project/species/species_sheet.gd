@@ -53,11 +53,11 @@ const INSET_PLACE := Vector2(4, 4)
 func _ready() -> void:
 	_cells.columns = COLUMNS
 	for file: String in SPECIES:
-		var plant := _stand(file)
+		var plant := _add_plant(file)
 		_add_cell(plant, file)
 
 
-func _stand(file: String) -> Plant3D:
+func _add_plant(file: String) -> Plant3D:
 	var plant := Plant3D.new()
 	plant.species = load(FOLDER + file + ".tres")
 	plant.segments = SEGMENTS
@@ -97,7 +97,7 @@ func _camera_of_all(plant: Plant3D) -> Camera3D:
 	# The name is below the plant, the near view beside its upper half.
 	var aside := Vector3(ASIDE, 0.05, 0.0) / plant.scale
 	var center := Vector3(box.get_center().x, 0.5 / plant.scale.y, 0.0) - aside
-	return _look(plant, center, 1.0 / FILLED, Vector3(0.0, 0.16, 1.0))
+	return _add_camera(plant, center, 1.0 / FILLED, Vector3(0.0, 0.16, 1.0))
 
 
 ## Shows `metres` of what is highest below a share of the plant's height.
@@ -113,11 +113,11 @@ func _camera_of_head(plant: Plant3D, share: float, metres: float) -> Camera3D:
 		if point.distance_to(top) < 0.6 * metres:
 			sum += point
 			count += 1
-	return _look(plant, sum / count, metres * plant.scale.y, Vector3(0.25, 0.55, 1.0))
+	return _add_camera(plant, sum / count, metres * plant.scale.y, Vector3(0.25, 0.55, 1.0))
 
 
 ## A camera that sees `extent` metres of a plant's world around a point of the plant.
-func _look(plant: Plant3D, at: Vector3, extent: float, from: Vector3) -> Camera3D:
+func _add_camera(plant: Plant3D, at: Vector3, extent: float, from: Vector3) -> Camera3D:
 	var camera := Camera3D.new()
 	camera.fov = VIEW_DEGREES
 	camera.near = 0.01

@@ -12,7 +12,7 @@ var _idle_time := PATIENCE
 
 ## Reads the keys for a frame of [param delta] seconds; [param is_busy]: others of its keys are
 ## held.
-func hear(delta: float, is_busy := false) -> void:
+func update(delta: float, is_busy := false) -> void:
 	wish = Input.get_vector(&"walk_left", &"walk_right", &"walk_forward", &"walk_back")
 	_idle_time = 0.0 if wish or is_busy else _idle_time + delta
 

@@ -56,12 +56,12 @@ func _show_fields() -> void:
 	var bytes := 0.0
 	var drawn: Array[int] = []
 	for field in fields:
-		var told := field.get_statistics()
-		plants += told["plants"]
-		step_time += told["step_usec"]
-		main_time += told["main_usec"]
-		bytes += told["bytes_per_plant"] * told["plants"]
-		_add(told["drawn_by_level"], drawn)
+		var statistics := field.get_statistics()
+		plants += statistics["plants"]
+		step_time += statistics["step_usec"]
+		main_time += statistics["main_usec"]
+		bytes += statistics["bytes_per_plant"] * statistics["plants"]
+		_add(statistics["drawn_by_level"], drawn)
 	_step_time = _smooth(_step_time, step_time)
 	_main_time = _smooth(_main_time, main_time)
 	(%Plants as Label).text = as_count(plants)

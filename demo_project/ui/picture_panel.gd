@@ -68,8 +68,8 @@ func _add_for_forward(text: String, property: StringName) -> void:
 
 
 func _is_drawn_by_processor() -> bool:
-	var is_told := RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
-	return is_told or "llvmpipe" in RenderingServer.get_video_adapter_name()
+	var is_software := RenderingServer.get_video_adapter_type() == RenderingDevice.DEVICE_TYPE_CPU
+	return is_software or "llvmpipe" in RenderingServer.get_video_adapter_name()
 
 
 func _set_fine(on: bool) -> void:

@@ -32,12 +32,12 @@ void time_samples(Report &report, const char *name, const FieldWind &wind, SimdL
 	double time = 0.0;
 	const double run = median_ms([&] {
 		const WindSnapshot now = wind_at_time(wind, time);
-		const AirBlow blow = blow_over(now.air, HEIGHT, winds_along(wind));
+		const AirMoments moments = moments_over(now.air, HEIGHT, winds_along(wind));
 		time += 1.0 / 60.0;
 		for (int begin = 0; begin < PLANTS; begin += AT_ONCE) {
 			const auto first = static_cast<std::size_t>(begin);
 			const int some = std::min(AT_ONCE, PLANTS - begin);
-			sample_air(now, blow, &roots.x[first], &roots.z[first], nullptr, some, x, z, level);
+			sample_air(now, moments, &roots.x[first], &roots.z[first], nullptr, some, x, z, level);
 		}
 	});
 	report.row(name, PLANTS, 1, run, level);

@@ -110,7 +110,7 @@ func _measure_density() -> void:
 		field.clump_size = 3.5 if i % 2 == 0 else 3.0
 		same.append_array(await _filling(field))
 	_add_row("field_density", field.get_plant_count(), others)
-	_add_row("field_kept", field.get_plant_count(), same)
+	_add_row("field_preserved", field.get_plant_count(), same)
 	field.free()
 	await frame_over
 

@@ -114,13 +114,13 @@ func _make_field(count: int, settings: Dictionary) -> PlantField3D:
 	field.density = DENSITY
 	field.size = Vector2.ONE * sqrt(count / DENSITY)
 	field.far_distance = 0.0
-	_blow_waves(field)
+	_make_waves(field)
 	for property: String in settings:
 		field.set(property, settings[property])
 	return field
 
 
-func _blow_waves(field: PlantField3D) -> void:
+func _make_waves(field: PlantField3D) -> void:
 	field.wind = PlantWind.new()
 	field.wind.kind = PlantWind.KIND_WAVES
 	field.wind.strength = 10.0
@@ -146,9 +146,9 @@ func _measure(title: String, field: PlantField3D) -> void:
 	var step: Array[float] = []
 	for i in BLOCKS * FRAMES_PER_BLOCK:
 		await process_frame
-		var told := field.get_statistics()
-		main.append(told["main_usec"])
-		step.append(told["step_usec"])
+		var reported := field.get_statistics()
+		main.append(reported["main_usec"])
+		step.append(reported["step_usec"])
 	# Mean over frames: with an interval, frames step different numbers of plants.
 	var main_usec := _mean_without_outliers(main)
 	var step_usec := _mean_without_outliers(step)
@@ -297,7 +297,7 @@ func _make_field_of_parts(
 	field.density = DENSITY
 	field.size = Vector2.ONE * sqrt(LADDER_COUNT / DENSITY)
 	field.far_distance = 0.0
-	_blow_waves(field)
+	_make_waves(field)
 	field.simulation_enabled = false
 	return field
 

@@ -127,10 +127,12 @@ func _measure(title: String, ground: Node3D, spacing: float) -> void:
 	await process_frame
 
 
-func _count_holes(field: PlantField3D, eye: Vector3, distance: float) -> int:
+func _count_holes(field: PlantField3D, camera_position: Vector3, distance: float) -> int:
 	var holes := 0
 	for i in BEARINGS:
-		var place := eye + distance * Vector3.RIGHT.rotated(Vector3.UP, TAU * i / BEARINGS)
+		var place := (
+			camera_position + distance * Vector3.RIGHT.rotated(Vector3.UP, TAU * i / BEARINGS)
+		)
 		place.y = Hills.height_at(place.x, place.z)
 		if not field.get_species_at(place, NEARBY):
 			holes += 1

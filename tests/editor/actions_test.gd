@@ -26,12 +26,12 @@ func take_dialog_picture(dialog: Window, name: String) -> void:
 		dialog.get_texture().get_image().save_png(pictures_folder.path_join("dialog_%s.png" % name))
 
 
-## The editor's theme, for [method wear_theme].
-func worn_theme() -> String:
+## The editor's theme, for [method use_theme].
+func used_theme() -> String:
 	return EditorInterface.get_editor_settings().get_setting(THEME)
 
 
-func wear_theme(preset: String) -> void:
+func use_theme(preset: String) -> void:
 	EditorInterface.get_editor_settings().set_setting(THEME, preset)
 	var root := EditorInterface.get_base_control().get_tree().root
 	root.propagate_notification(EditorSettings.NOTIFICATION_EDITOR_SETTINGS_CHANGED)

@@ -107,18 +107,18 @@ func _make_test(script: Script) -> EditorTest:
 # False if the test was aborted.
 func _run_test(test: EditorTest, title: String) -> bool:
 	var begin := Time.get_ticks_msec()
-	var told := begin
+	var reported := begin
 	var first := Engine.get_process_frames()
 	test.run(title)
 	while not test.is_done and not _is_over(begin, first):
-		if Time.get_ticks_msec() - told > LIFE_SIGN_SECONDS * 1000.0:
-			told = Time.get_ticks_msec()
+		if Time.get_ticks_msec() - reported > LIFE_SIGN_SECONDS * 1000.0:
+			reported = Time.get_ticks_msec()
 			print("%s goes on, frame %d" % [title, Engine.get_process_frames() - first])
 		await get_tree().process_frame
 	var is_done := test.is_done
 	if not is_done:
 		test.give_up("it hangs: not done after %d frames" % (Engine.get_process_frames() - first))
-	_tell(title, test.problems)
+	_report(title, test.problems)
 	var seconds := (Time.get_ticks_msec() - begin) * 0.001
 	print("took %.1f s, %d frames" % [seconds, Engine.get_process_frames() - first])
 	return is_done
@@ -131,7 +131,7 @@ func _is_over(begin: int, first_frame: int) -> bool:
 	)
 
 
-func _tell(title: String, problems: PackedStringArray) -> void:
+func _report(title: String, problems: PackedStringArray) -> void:
 	if problems.is_empty():
 		_passed += 1
 		print("ok " + title)

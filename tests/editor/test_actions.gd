@@ -8,7 +8,7 @@ const CONTROL_SCENE := "res://actions_control.tscn"
 const TABLE_TOP := 1.5
 
 
-func test_without_a_scene_the_dock_says_what_to_do() -> void:
+func test_without_a_scene_the_dock_gives_advice() -> void:
 	await open_page("Plant")
 	await _close_all_scenes()
 	check(EditorInterface.get_edited_scene_root() == null, "no scene is open")
@@ -46,7 +46,7 @@ func test_add_is_one_step() -> void:
 	check(text_after.contains('type="Plant3D"'), "the plant is saved")
 
 
-func test_add_puts_plants_on_what_the_view_looks_at() -> void:
+func test_add_places_plants_at_the_centre_of_the_view() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var camera := EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
 	var size := EditorInterface.get_editor_viewport_3d(0).get_visible_rect().size
@@ -73,7 +73,7 @@ func test_add_goes_below_the_selected_node() -> void:
 	check_equal(bed.get_child_count(), 1, "plants in the bed")
 	var plant := bed.get_child(0) as Plant3D
 	check(plant.global_basis.is_equal_approx(Basis.IDENTITY), "it is upright at its own size")
-	check(absf(plant.global_position.y) < 1e-3, "it stands on the ground of the world")
+	check(absf(plant.global_position.y) < 1e-3, "it is on the ground of the world")
 	check(plant.species == (root.get_child(-1) as Plant3D).species, "equal plants share a function")
 	await undo()
 	check_equal(bed.get_child_count(), 0, "plants in the bed after undo")

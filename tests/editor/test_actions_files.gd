@@ -45,7 +45,7 @@ func test_saving_over_a_species_changes_it_where_it_is_used() -> void:
 	plant.free()
 
 
-func test_what_cannot_be_written_is_told_and_nothing_is_lost() -> void:
+func test_write_errors_are_reported_and_nothing_is_lost() -> void:
 	_write(BLOCKER, "keep me")
 	await _choose("Reed")
 	var function := _state().function

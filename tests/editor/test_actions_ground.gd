@@ -72,8 +72,8 @@ func _make_collider() -> StaticBody3D:
 
 func test_a_field_that_finds_no_ground_warns_in_the_scene_dock() -> void:
 	var root := await _open_garden()
-	var told: Array[Node] = []
-	var listener := func(node: Node) -> void: told.append(node)
+	var reported: Array[Node] = []
+	var listener := func(node: Node) -> void: reported.append(node)
 	root.get_tree().node_configuration_warning_changed.connect(listener)
 	var field := PlantField3D.new()
 	field.size = Vector2(4, 4)
@@ -81,16 +81,18 @@ func test_a_field_that_finds_no_ground_warns_in_the_scene_dock() -> void:
 	field.position = Vector3(900, 0, 0)
 	root.add_child(field)
 	field.owner = root
-	told.clear()
-	check(await until(func() -> bool: return told.has(field)), "it warns where there is no ground")
+	reported.clear()
+	check(
+		await until(func() -> bool: return reported.has(field)), "it warns where there is no ground"
+	)
 	check_error("no collider is below or above it")
 	var ground := _make_collider()
 	root.add_child(ground)
 	ground.global_position = field.global_position
 	await frames(3)
-	told.clear()
+	reported.clear()
 	field.rebuild()
-	check(await until(func() -> bool: return told.has(field)), "and no more where there is one")
+	check(await until(func() -> bool: return reported.has(field)), "and no more where there is one")
 	root.get_tree().node_configuration_warning_changed.disconnect(listener)
 	ground.free()
 	field.free()

@@ -23,7 +23,7 @@ func test_ready_species_and_mixes_come_first() -> void:
 		var path := lists[3].get_item_tooltip(i)
 		check(not path.begins_with("res://addons/"), path + " is not of the project")
 	var tops := lists.map(func(list: ItemList) -> float: return list.global_position.y)
-	check(tops[0] < tops[1] and tops[1] < tops[2], "groups stand below one another: %s" % [tops])
+	check(tops[0] < tops[1] and tops[1] < tops[2], "groups are below one another: %s" % [tops])
 
 
 func test_names_are_uncut_and_in_every_language() -> void:
@@ -95,7 +95,7 @@ func test_a_field_is_as_dense_as_suits_its_plants() -> void:
 		check(count < 15000.0, "%s: %d plants" % [title, count])
 		check(field.species[0].species.resource_path.begins_with(SPECIES), "its file is named")
 		await undo()
-	check(densities[0] < 10.0, "reeds stand apart: %s" % [densities])
+	check(densities[0] < 10.0, "reeds are sparse: %s" % [densities])
 	check(densities[1] > densities[0], "grass is denser: %s" % [densities])
 	check(densities[2] > 100.0, "a lawn is densest: %s" % [densities])
 

@@ -1,5 +1,5 @@
 @tool
-extends "look_checks.gd"
+extends "style_checks.gd"
 ## The project saved by all other tests, opened again in an editor at 200 %.
 
 const SCENE := "res://actions_scene.tscn"
@@ -39,10 +39,10 @@ func test_picture_at_200_percent() -> void:
 
 
 func test_picture_at_200_percent_in_light() -> void:
-	var before := worn_theme()
-	await wear_theme(LIGHT)
+	var before := used_theme()
+	await use_theme(LIGHT)
 	await _take_both("200_light")
-	await wear_theme(before)
+	await use_theme(before)
 
 
 func _take_both(name: String) -> void:

@@ -38,7 +38,7 @@ func _initialize() -> void:
 """
 
 
-func test_bake_writes_what_the_dialog_says() -> void:
+func test_bake_writes_the_files_that_the_dialog_lists() -> void:
 	await _choose("Reed")
 	await _use("Bake")
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
@@ -88,7 +88,7 @@ func test_the_scene_needs_nothing_of_the_add_on() -> void:
 	check(not text.contains("ERROR"), text.right(400))
 
 
-func test_baking_over_files_asks_first() -> void:
+func test_baking_over_files_requires_confirmation() -> void:
 	var path := _path("_lod0.res")
 	var used := load(path) as ArrayMesh
 	var old := FileAccess.get_md5(path)
@@ -142,7 +142,7 @@ func test_own_materials_stay_and_unsaved_ones_come_along() -> void:
 	check_equal(mesh.surface_get_material(0).resource_path, own.resource_path, "its file")
 
 
-func test_wrong_options_are_told_before_anything_is_written() -> void:
+func test_wrong_options_are_reported_before_writing() -> void:
 	await _choose("Grass")
 	await _use("Bake")
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog

@@ -29,7 +29,7 @@ func test_a_density_is_painted_in_plants_per_square_metre() -> void:
 	var all := poppies + _density_in_stroke(field, false)
 	check(absf(all - DENSITY) < 1.0, "%f plants/m²" % all)
 	check_equal(_count_beside(field), before, "plants beside the stroke")
-	check_equal(_told(), "", "what the bar says")
+	check_equal(_reported(), "", "what the bar says")
 	_as_mixed().button_pressed = true
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check_equal(field.map.get_plant_density(Vector3.ZERO, POPPY), 0.0, "plants/m² as mixed")
@@ -37,29 +37,29 @@ func test_a_density_is_painted_in_plants_per_square_metre() -> void:
 	await _put_down("Paint")
 
 
-func test_the_bar_says_why_a_stroke_changes_nothing() -> void:
+func test_the_bar_explains_a_stroke_without_effect() -> void:
 	var field := await _meadow()
 	await _choose_tool("Paint")
 	_sharpen(1.0)
 	_species_button(POPPY).button_pressed = true
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check(field.map == null, "there is nothing to change")
-	check(_told().contains("as dense here as the mix says, 0.57"), "as mixed: " + _told())
+	check(_reported().contains("as dense here as the mix says, 0.57"), "as mixed: " + _reported())
 	_density().value = 5.0
-	check_equal(_told(), "", "after another density")
+	check_equal(_reported(), "", "after another density")
 	await click(_view(), _place_of(field, Vector3.ZERO))
-	check_equal(_told(), "", "after a stroke that changes something")
+	check_equal(_reported(), "", "after a stroke that changes something")
 	await click(_view(), _place_of(field, Vector3.ZERO))
-	check(_told().contains("5.0 plants/m² grow here already"), "once more: " + _told())
+	check(_reported().contains("5.0 plants/m² grow here already"), "once more: " + _reported())
 	await _put_down("Paint")
 	await _choose_tool("Erase")
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	await click(_view(), _place_of(field, Vector3.ZERO))
-	check(_told().contains("nothing to erase"), "erased twice: " + _told())
+	check(_reported().contains("nothing to erase"), "erased twice: " + _reported())
 	await _put_down("Erase")
 
 
-func test_the_bar_says_where_the_field_has_no_room() -> void:
+func test_the_bar_explains_a_full_field() -> void:
 	var field := await _meadow()
 	field.map = PlantMap.new()
 	field.map.fill_polygon_plants(field.get_outline_points(), GRASS_LAYER, 10.0)
@@ -68,8 +68,8 @@ func test_the_bar_says_where_the_field_has_no_room() -> void:
 	_species_button(POPPY).button_pressed = true
 	_density().value = 5.0
 	await click(_view(), _place_of(field, Vector3.ZERO))
-	check(_told().contains("14.99 plants/m² are painted"), "it says how many: " + _told())
-	check(_told().contains("12.0 at most"), "and what there is room for: " + _told())
+	check(_reported().contains("14.99 plants/m² are painted"), "it says how many: " + _reported())
+	check(_reported().contains("12.0 at most"), "and what there is room for: " + _reported())
 	await _put_down("Paint")
 
 
@@ -118,8 +118,8 @@ func _as_mixed() -> Button:
 	return _settings().get_node("%AsMixed")
 
 
-func _told() -> String:
-	return (_settings().get_node("%Told") as Label).text
+func _reported() -> String:
+	return (_settings().get_node("%Message") as Label).text
 
 
 func _density_in_stroke(field: PlantField3D, poppies: bool) -> float:

@@ -13,7 +13,7 @@ func test_ctrl_erases_while_it_paints() -> void:
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	holds_ctrl = false
 	check_equal(_history().get_current_action_name(), tr("Erase Plants"), "the step's name")
-	check(field.map.get_density(Vector3.ZERO, GRASS) < 0.6, "less stands under the brush")
+	check(field.map.get_density(Vector3.ZERO, GRASS) < 0.6, "fewer plants under the brush")
 	check((_bar().get_node("%Paint") as Button).button_pressed, "it paints again without Ctrl")
 
 
@@ -53,16 +53,16 @@ func test_a_pen_does_less_where_it_is_pressed_less() -> void:
 	check(absf(firmly - 0.4) < 0.02, "three fifths of it are gone: %f" % firmly)
 
 
-func test_a_mouse_does_all_whatever_it_tells() -> void:
+func test_a_mouse_works_without_pressure() -> void:
 	var field := await _edited_field()
 	await _choose_tool("Erase")
 	_sharpen(0.5)
 	await _dab(field, Vector3.ZERO)
-	check_equal(field.map.get_density(Vector3.ZERO, GRASS), 0.0, "after a mouse that tells 0")
+	check_equal(field.map.get_density(Vector3.ZERO, GRASS), 0.0, "after a mouse of pressure 0")
 	pen_pressure = 1.0
 	await _dab(field, Vector3(0, 0, 1.6))
 	pen_pressure = 0.0
-	check_equal(field.map.get_density(Vector3(0, 0, 1.6), GRASS), 0.0, "after one that tells 1")
+	check_equal(field.map.get_density(Vector3(0, 0, 1.6), GRASS), 0.0, "after one of pressure 1")
 
 
 # Touches the ground, moves by a pixel and releases.

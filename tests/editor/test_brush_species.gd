@@ -34,7 +34,7 @@ func test_a_picked_species_comes_into_the_field_with_a_stroke() -> void:
 	await _choose_tool("Paint")
 
 
-func test_the_others_stand_as_densely_as_before() -> void:
+func test_the_other_species_have_the_same_density() -> void:
 	var field := await _edited_field()
 	var grass := field.density
 	await _pick(POPPY)
@@ -131,7 +131,7 @@ func _check_added(field: PlantField3D) -> void:
 			var nearest := Geometry3D.get_closest_point_to_segment(root, FROM, TO)
 			check(root.distance_to(nearest) < REACH + 0.5, "a poppy at %s" % root)
 			seen += 1
-	check(seen > 0, "poppies stand")
+	check(seen > 0, "poppies exist")
 
 
 func _pick(title: String) -> void:

@@ -23,7 +23,7 @@ func test_plants_follow_a_shape_that_was_changed() -> void:
 	await _check_height(1.0, "of a higher box")
 
 
-func test_a_drag_fills_once_at_its_end() -> void:
+func test_a_drag_rebuilds_once_at_its_end() -> void:
 	var ground := await _ground_of_a_field()
 	var field := _field()
 	var count := [0]
@@ -58,11 +58,11 @@ func test_what_is_no_ground_of_it_changes_nothing() -> void:
 	await frames(60)
 	check_equal(count[0], 0, "times it was filled")
 	check(not field.is_building(), "it rests")
-	check(ground != null, "its ground stands")
+	check(ground != null, "its ground exists")
 	field.build_finished.disconnect(listener)
 
 
-func test_the_button_fills_again() -> void:
+func test_the_button_rebuilds() -> void:
 	var ground := await _ground_of_a_field()
 	ground.position.y = 2.0  # As by a script, without a signal.
 	await frames(30)
@@ -133,7 +133,7 @@ func _check_height(height: float, what: String) -> void:
 			and field.get_plant_count() > 0
 			and absf(_height_of(field) - height) < 0.01
 		)
-	check(await until(is_there), "%s it stands at %f" % [what, _height_of(field)])
+	check(await until(is_there), "%s it is at %f" % [what, _height_of(field)])
 
 
 func _height_of(field: PlantField3D) -> float:

@@ -26,8 +26,8 @@ func test_gizmos_return_with_a_node_that_is_moved_in_the_tree() -> void:
 	check(_gizmo_of(plant).get_node_3d() == plant, "it is of that plant")
 
 
-func test_the_plugin_goes_after_a_scene_with_a_dragged_handle_was_loaded_anew() -> void:
-	var held := await _drag_height_and_load_anew()
+func test_the_plugin_is_removed_after_a_scene_with_a_dragged_handle_was_reloaded() -> void:
+	var held := await _drag_height_and_reload()
 	check_nobodys(held)
 	await _switch(false)
 	await _switch(true)
@@ -37,7 +37,7 @@ func test_the_plugin_goes_after_a_scene_with_a_dragged_handle_was_loaded_anew() 
 	await frames(2)
 
 
-func test_a_scene_that_is_loaded_anew_while_a_handle_is_dragged() -> void:
+func test_a_scene_that_is_reloaded_while_a_handle_is_dragged() -> void:
 	var plant := await _open_plant()
 	await _choose_only(plant)
 	var held := weakref(_gizmo_of(plant))
@@ -48,7 +48,7 @@ func test_a_scene_that_is_loaded_anew_while_a_handle_is_dragged() -> void:
 	await frames(2)
 	check(plant.height > 0.0, "the height follows the pointer")
 	plant = null
-	await _load_anew(SCENE_FILE)
+	await _reload(SCENE_FILE)
 	check_nobodys(held)
 	var version := _history().get_version()
 	_move(_view(), from, from - Vector2(0, 40), MOUSE_BUTTON_MASK_LEFT)
@@ -114,11 +114,11 @@ func check_nobodys(held: WeakRef) -> void:
 	var gizmo := held.get_ref() as EditorNode3DGizmo
 	if gizmo:
 		var node: Variant = gizmo.get_node_3d()
-		check(is_instance_valid(node) and not (node as Node).is_inside_tree(), "it is nobody's")
+		check(is_instance_valid(node) and not (node as Node).is_inside_tree(), "it has no parent")
 
 
 # The gizmo of the freed plant.
-func _drag_height_and_load_anew() -> WeakRef:
+func _drag_height_and_reload() -> WeakRef:
 	var plant := await _open_plant()
 	await _choose_only(plant)
 	var from := _tip_of(plant)
@@ -126,7 +126,7 @@ func _drag_height_and_load_anew() -> WeakRef:
 	check(plant.height > 0.0, "the handle was dragged")
 	var held := weakref(_gizmo_of(plant))
 	plant = null
-	await _load_anew(SCENE_FILE)
+	await _reload(SCENE_FILE)
 	return held
 
 

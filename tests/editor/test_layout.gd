@@ -128,7 +128,7 @@ func test_a_filter_moves_nothing() -> void:
 	check_equal(preview.get_global_rect(), before, "place of the preview with all names")
 
 
-func test_messages_stand_below_the_pages() -> void:
+func test_messages_appear_below_the_pages() -> void:
 	await open_page("Plant")
 	var page := (part("Plant") as Control).get_global_rect()
 	var line := (part("Status") as Control).get_global_rect()

@@ -140,7 +140,7 @@ func test_project_species_come_and_go() -> void:
 	check(await until(gone), "a deleted file leaves the list")
 	check(_state().function is TulipFunction, "its plant stays")
 	var text := (part("Status/Text") as Label).text
-	check(text.contains(SPECIES_FILE), "the status line tells: " + text)
+	check(text.contains(SPECIES_FILE), "the status line: " + text)
 
 
 func test_list_is_refreshed_while_pictures_wait() -> void:
@@ -212,7 +212,7 @@ func test_a_stem_has_its_properties_and_bones() -> void:
 	grass.law = PlantFunction.LAW_STEM
 	await frames(5)
 	check(_shows("stem") and _shows("natural_frequency"), "the stem is shown")
-	check(not _shows("mass"), "its mass is not asked for")
+	check(not _shows("mass"), "its mass is not shown")
 	grass.stem = PlantStem.new()
 	grass.stem.joints = 3
 	for name: String in ["Rings", "Bones"]:

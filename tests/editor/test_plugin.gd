@@ -50,7 +50,7 @@ func _count(monitor: Performance.Monitor) -> int:
 	return int(Performance.get_monitor(monitor))
 
 
-func test_wide_dock_stands_side_by_side() -> void:
+func test_a_wide_dock_is_laid_out_side_by_side() -> void:
 	await open_page("Plant")
 	var split := part("Plant/Split") as SplitContainer
 	check(split.vertical, "one below the other in a narrow dock")
@@ -74,7 +74,7 @@ func test_wide_dock_stands_side_by_side() -> void:
 	check(split.vertical, "one below the other again")
 
 
-func test_library_is_loaded_anew_under_the_dock() -> void:
+func test_the_library_is_reloaded_under_the_dock() -> void:
 	await open_page("Plant")
 	check_equal(
 		GDExtensionManager.reload_extension(LIBRARY), GDExtensionManager.LOAD_STATUS_OK, "status"

@@ -32,6 +32,19 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 		check(text.contains(reference), "the scene uses %s by its id" % path)
 
 
+func test_saving_one_that_is_opened_itself_changes_none() -> void:
+	var before := _read_all(FOLDER)
+	for kind in KINDS:
+		for path: String in _files_of(kind):
+			if path.get_extension() == "tscn":
+				await _save_scene(path)
+			else:
+				await _save_resource(path)
+	await frames(10)
+	await files_are_known()
+	_check_same(before)
+
+
 func test_each_of_them_has_an_id_of_its_own() -> void:
 	var ids: Dictionary[String, String] = {}
 	for kind in KINDS:
@@ -40,6 +53,27 @@ func test_each_of_them_has_an_id_of_its_own() -> void:
 			check(id.begins_with("uid://"), path + " has an id")
 			check(not ids.has(id), "%s and %s have the same id" % [path, ids.get(id, "")])
 			ids[id] = path
+
+
+func _save_scene(path: String) -> void:
+	EditorInterface.open_scene_from_path(path)
+	await frames(5)
+	check_equal(EditorInterface.get_edited_scene_root().scene_file_path, path, "open")
+	EditorInterface.mark_scene_as_unsaved()
+	check_equal(EditorInterface.save_scene(), OK, "saving " + path)
+	await frames(5)
+	EditorInterface.close_scene()
+	await frames(3)
+
+
+## As the inspector saves it.
+func _save_resource(path: String) -> void:
+	var resource := load(path)
+	EditorInterface.edit_resource(resource)
+	await frames(2)
+	var flags := ResourceSaver.FLAG_REPLACE_SUBRESOURCE_PATHS
+	check_equal(ResourceSaver.save(resource, path, flags), OK, "saving " + path)
+	EditorInterface.edit_resource(null)
 
 
 func _make_scene() -> Node3D:

@@ -55,7 +55,7 @@ func test_inspector_shows_a_moving_plant() -> void:
 	check(await until(moves), "the plant moves")
 
 
-func test_inspector_says_why_there_is_no_plant() -> void:
+func test_the_inspector_explains_a_missing_plant() -> void:
 	var file := FileAccess.open(SCRIPT_FILE, FileAccess.WRITE)
 	file.store_string(SCRIPT)
 	file.close()
@@ -64,8 +64,8 @@ func test_inspector_says_why_there_is_no_plant() -> void:
 	EditorInterface.edit_resource(function)
 	await open_inspector()
 	await frames(5)
-	var told := (_find_in_inspector(PLANT_VIEW).get_node("%Problem") as Label).text
-	check(told.contains("@tool"), "the preview says " + told)
+	var reported := (_find_in_inspector(PLANT_VIEW).get_node("%Problem") as Label).text
+	check(reported.contains("@tool"), "the preview says " + reported)
 	EditorInterface.edit_resource(null)
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(SCRIPT_FILE))
 

@@ -9,7 +9,7 @@ func test_a_drag_that_another_choice_interrupts_is_undone() -> void:
 	_state().choose(TulipFunction.new(), "", "Tulip")
 	await frames(2)
 	check(curve.get_point_position(1).is_equal_approx(dragged), "the point stays where it was left")
-	await _let_go()
+	await _release()
 	await undo()
 	check(curve.get_point_position(1).is_equal_approx(Vector2(0.45, 1.0)), "undo puts it back")
 	await redo()
@@ -30,7 +30,7 @@ func test_a_drag_of_a_curve_that_undo_takes_away_changes_no_other() -> void:
 	var at := _in_window(points, points.size * 0.7)
 	_move(points, at, at + Vector2(5, 5), MOUSE_BUTTON_MASK_LEFT)
 	await frames(1)
-	await _let_go()
+	await _release()
 	check_equal(other.get_point_position(1), Vector2(0.5, 0.5), "point of the other curve")
 	function.width_curve = curve
 	curve.set_point_offset(1, 0.45)
@@ -53,7 +53,7 @@ func _begin_drag() -> Curve:
 	return curve
 
 
-func _let_go() -> void:
+func _release() -> void:
 	var points := part("Plant/Points") as Control
 	_press(points, _in_window(points, Vector2.ONE), MOUSE_BUTTON_LEFT, false)
 	await frames(2)

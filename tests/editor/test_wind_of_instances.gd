@@ -25,23 +25,23 @@ func test_a_wind_inside_another_scene_stays_as_it_is() -> void:
 	check(plants[0].get(&"wind") == foreign, "the other scene's wind blows again after undo")
 	await redo()
 	await _press_button("Apply")
-	check_equal(_told(), tr("The plants have this wind already."), "told when applied again")
+	check_equal(_reported(), tr("The plants have this wind already."), "message when applied again")
 
 
-func test_a_plant_that_the_scene_does_not_save_is_told() -> void:
+func test_a_plant_that_the_scene_does_not_save_is_reported() -> void:
 	var yard := await _open_yard([POT])
 	var plant := yard.get_child(0).get_child(0) as Plant3D
 	await _choose_kind(PlantWind.KIND_BURSTS)
 	await _press_button("Apply")
 	check_equal(plant.wind.kind, PlantWind.KIND_CONSTANT, "its wind")
-	check(_told().contains("another scene"), "the status line tells: " + _told())
+	check(_reported().contains("another scene"), "the status line: " + _reported())
 	yard.set_editable_instance(yard.get_child(0), true)
 	await _press_button("Apply")
 	check_equal(plant.wind.kind, PlantWind.KIND_BURSTS, "its wind with editable children")
 	await undo()
 
 
-func _told() -> String:
+func _reported() -> String:
 	return (part("Status/Text") as Label).text
 
 

@@ -82,7 +82,7 @@ func test_apply_changes_a_wind_of_its_own_file() -> void:
 	check_equal(_read_kind(SHARED_FILE), PlantWind.KIND_CONSTANT, "kind in the file after undo")
 
 
-func test_plants_of_a_scene_that_is_left_stand_still() -> void:
+func test_plants_of_a_closed_scene_do_not_move() -> void:
 	var plants := await _open_scene()
 	await _choose_kind(PlantWind.KIND_CONSTANT)
 	await _press_button("OnScene")
@@ -114,12 +114,12 @@ func test_field_takes_part() -> void:
 	check(not field.wind, "no wind after undo")
 
 
-func test_scene_without_plants_is_told() -> void:
+func test_a_scene_without_plants_is_reported() -> void:
 	EditorInterface.open_scene_from_path(_make_empty_scene())
 	await frames(5)
 	await _press_button("Apply")
-	var told := (part("Status/Text") as Label).text
-	check(told.contains(tr("no plants")), "the status line tells: " + told)
+	var reported := (part("Status/Text") as Label).text
+	check(reported.contains(tr("no plants")), "the status line: " + reported)
 
 
 func _make_constant_wind() -> PlantWind:

@@ -24,8 +24,8 @@ func test_strength_is_typed() -> void:
 	check_equal(_wind().strength, 2.5, "strength")
 	await _type_number("Strength", "5000000")
 	check_equal(_wind().strength, 1e6, "strength, at most")
-	var told := (part("Status/Text") as Label).text
-	check(told.contains("Strength"), "the status line tells: " + told)
+	var reported := (part("Status/Text") as Label).text
+	check(reported.contains("Strength"), "the status line: " + reported)
 	await _type_number("Strength", "3")
 
 
@@ -40,11 +40,11 @@ func test_dial_is_turned() -> void:
 	check_equal(_degrees(), 91.0, "one key farther")
 	await press_key(dial, KEY_LEFT, 0, false, true)
 	check_equal(_degrees(), 76.0, "back with Shift")
-	var told := (part("Wind/Heading") as Label).text
-	check(told.contains("76°") and told.contains("+x"), "the label says " + told)
+	var reported := (part("Wind/Heading") as Label).text
+	check(reported.contains("76°") and reported.contains("+x"), "the label says " + reported)
 
 
-func test_graph_moves_and_gust_blows() -> void:
+func test_the_graph_moves_and_shows_a_gust() -> void:
 	await _choose_kind(PlantWind.KIND_GUST)
 	var graph := part("Wind/Graph") as ForceGraph
 	var before := graph.get_now()
@@ -65,13 +65,13 @@ func test_air_has_fields_of_its_own_and_presets() -> void:
 	check(not (part("Wind/Strength") as Control).visible, "and no newtons")
 	await _press_button("Gale")
 	check(is_equal_approx(_wind().speed, 19.0), "speed of a gale")
-	var told := (part("Wind/Beaufort") as Label).text
-	check(told.begins_with("8"), "Beaufort's number: " + told)
+	var reported := (part("Wind/Beaufort") as Label).text
+	check(reported.begins_with("8"), "Beaufort's number: " + reported)
 	await _choose_kind(PlantWind.KIND_WAVES)
 	check(not (part("Wind/Speed") as Control).visible, "waves have no speed")
 
 
-func test_turbulence_of_the_ground_is_told_in_words() -> void:
+func test_turbulence_of_the_ground_is_described_in_words() -> void:
 	await _choose_kind(PlantWind.KIND_AIR)
 	var slider := part("Wind/Turbulence") as EditorSpinSlider
 	slider.value = -1.0
@@ -110,7 +110,7 @@ func test_air_shows_its_map_and_its_spectrum() -> void:
 			var share := point.y / spectrum.kaimal(point.x)
 			check(share > 0.4 and share < 2.5, "%f of Kaimal's at %f Hz" % [share, point.x])
 	_wind().speed = 4.0
-	check_equal(spectrum.get_points().size(), 0, "another wind is measured anew")
+	check_equal(spectrum.get_points().size(), 0, "another wind is measured again")
 	await _choose_kind(PlantWind.KIND_WAVES)
 	check(not map.is_visible_in_tree(), "forces have no map")
 

@@ -9,7 +9,7 @@ const SPECIES := "res://first_minute.tres"
 func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 	await _open_scene(SCENE, _make_garden())
 	EditorInterface.set_main_screen_editor("3D")
-	_use_a_newcomers_wind()
+	_use_a_first_users_wind()
 	await _choose("Own drawing")
 	await _draw_a_bulb()
 	await _save()
@@ -31,7 +31,7 @@ func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 
 
 ## Restores the initial state of the dock after any test.
-func _use_a_newcomers_wind() -> void:
+func _use_a_first_users_wind() -> void:
 	_state().wind.kind = PlantWind.KIND_WAVES
 	_state().wind.strength = 5.0
 	_state().wind.frequency = 0.4

@@ -50,7 +50,7 @@ func _open(path: String, root: Node3D) -> Node:
 
 
 ## As the menu item "Reload Saved Scene".
-func _load_anew(path: String) -> Node3D:
+func _reload(path: String) -> Node3D:
 	EditorInterface.reload_scene_from_path(path)
 	await frames(10)
 	return EditorInterface.get_edited_scene_root().get_child(0)

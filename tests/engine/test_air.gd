@@ -96,7 +96,7 @@ func test_a_fields_plants_shelter_each_other() -> void:
 	var tip := field.get_tip_position(id)
 	var force := 0.5 * DENSITY * top * top * 0.02
 	var stiff := _stiffness() / 0.8 * height
-	check_near(tip.z / tip.y, force / stiff, 4.0 * BEND_TOLERANCE, "bend in a stand")
+	check_near(tip.z / tip.y, force / stiff, 4.0 * BEND_TOLERANCE, "bend in a canopy")
 
 
 func test_fields_and_plants_rest_in_still_air() -> void:
@@ -107,7 +107,7 @@ func test_fields_and_plants_rest_in_still_air() -> void:
 	check_equal(plant.get_deflection(), 0.0, "bend")
 
 
-func test_a_change_while_it_blows_makes_no_gust_jump() -> void:
+func test_a_change_during_a_gust_makes_no_jump() -> void:
 	_wind.advance(50.0)
 	var now := _wind.get_time()
 	var before := _deviate(now)
@@ -153,7 +153,7 @@ func test_what_is_set_by_hand_ends_a_blend() -> void:
 	check_equal(_wind.speed, 2.0, "speed")
 
 
-func test_the_winds_that_ship_are_what_their_names_say() -> void:
+func test_shipped_winds_match_their_names() -> void:
 	var files := Array(DirAccess.get_files_at(WINDS)).filter(
 		func(file: String) -> bool: return file.ends_with(".tres")
 	)
@@ -164,7 +164,7 @@ func test_the_winds_that_ship_are_what_their_names_say() -> void:
 		check_equal(wind.get_beaufort(), PRESETS[preset], "Beaufort's number of " + preset)
 
 
-func test_values_out_of_range_give_one_error_and_the_last_good_wind_blows_on() -> void:
+func test_values_out_of_range_give_one_error_and_the_last_good_wind_stays() -> void:
 	var before := _wind.sample_velocity(3.0, Vector3(0, 1, 0))
 	var bad := {
 		"speed": [-1.0, 101.0, INF, NAN],
@@ -186,7 +186,7 @@ func test_values_out_of_range_give_one_error_and_the_last_good_wind_blows_on() -
 		check_error("sample_velocity() needs a finite time")
 
 
-func test_newtons_have_no_velocity_and_say_so_once() -> void:
+func test_a_wind_in_newtons_reports_once_that_it_has_no_velocity() -> void:
 	_wind.kind = PlantWind.KIND_WAVES
 	for i in 5:
 		check_equal(_wind.sample_velocity(0.1 * i, Vector3.ZERO), Vector3.ZERO)

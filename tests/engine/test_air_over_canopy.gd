@@ -64,7 +64,7 @@ func test_still_air_and_no_places() -> void:
 	check(_wind.sample_over_canopy(3.0, _row(1))[0].y > 0.0, "it blows over turf")
 
 
-func test_what_cannot_be_asked_is_told() -> void:
+func test_bad_queries_are_reported() -> void:
 	check_equal(_wind.sample_over_canopy(NAN, _row(2)).size(), 0, "at no time")
 	check_error("sample_over_canopy() needs a finite time")
 	check_equal(_wind.sample_over_canopy(1.0, PackedVector2Array([Vector2(0, INF)])).size(), 0)

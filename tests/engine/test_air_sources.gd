@@ -26,7 +26,7 @@ func test_an_explosion_bends_plants_away_and_is_over() -> void:
 	check(near.get_deflection() < 0.002, "it comes to rest: %f" % near.get_deflection())
 
 
-func test_a_rotor_blows_outward_while_it_is_active() -> void:
+func test_a_rotor_makes_an_outward_wind_while_it_is_active() -> void:
 	var rotor := _add_source(PlantWindSource3D.KIND_FAN, Vector3(0, 5, 0))
 	rotor.thrust = 3000.0
 	var plants := [_add_plant(Vector3(5, 0, 0)), _add_plant(Vector3(-5, 0, 0))]
@@ -100,7 +100,7 @@ func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned() -> void:
 	check(maximum > 0.01, "it leans after the body: %f m" % maximum)
 
 
-func test_newtons_blow_on_where_a_source_reaches() -> void:
+func test_forces_continue_where_a_source_reaches() -> void:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_CONSTANT
 	wind.strength = 3.0

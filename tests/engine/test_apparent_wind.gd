@@ -8,11 +8,11 @@ const TOLERANCE := 0.02  # Of the movement of a tip.
 
 
 func test_a_plant_that_is_carried_leans_as_one_in_wind_of_that_speed() -> void:
-	var blown := _add_plant(Vector3(0, 0, 50))
-	blown.wind = _even_wind(Vector3(0, HEIGHT, 50))
+	var moved := _add_plant(Vector3(0, 0, 50))
+	moved.wind = _even_wind(Vector3(0, HEIGHT, 50))
 	var carried := _add_plant(Vector3.ZERO)
 	await _carry(carried, SETTLING)
-	var expected := blown.get_tip_position()
+	var expected := moved.get_tip_position()
 	check(expected.x > 0.05, "the wind bends it: %s" % expected)
 	expected.x = -expected.x
 	check_near(carried.get_tip_position(), expected, TOLERANCE * absf(expected.x), "carried")

@@ -91,15 +91,15 @@ func test_defaults_are_those_of_the_library() -> void:
 		var help := _read(type)
 		check(help.size() > 0, type + " has help")
 		for property in _properties(type, false):
-			var told: String = help.get("default of member " + property, "")
+			var reported: String = help.get("default of member " + property, "")
 			var value: Variant = ClassDB.class_get_property_default_value(type, property)
-			if not told.is_empty() and value is float:
-				check_near(told.to_float(), value, 1e-4, "default of %s.%s" % [type, property])
-			elif not told.is_empty() and value != null:
-				check_equal(told, var_to_str(value), "default of %s.%s" % [type, property])
+			if not reported.is_empty() and value is float:
+				check_near(reported.to_float(), value, 1e-4, "default of %s.%s" % [type, property])
+			elif not reported.is_empty() and value != null:
+				check_equal(reported, var_to_str(value), "default of %s.%s" % [type, property])
 
 
-func test_every_class_of_the_library_is_known_here() -> void:
+func test_every_class_of_the_library_is_listed_here() -> void:
 	for type in ClassDB.get_class_list():
 		var is_ours := ClassDB.class_get_api_type(type) == ClassDB.APIType.API_EXTENSION
 		if is_ours and not type in INTERNAL:

@@ -26,7 +26,7 @@ func test_one_plant() -> void:
 	check_equal(ids.size(), 1, "ids")
 	check_equal(field.get_plant_count(), 1)
 	await frames(3)
-	check_equal(field.get_plant_ids(), ids, "ids of what stands")
+	check_equal(field.get_plant_ids(), ids, "ids of the plants")
 	check_equal(field.get_plant_transform(ids[0]).origin, Vector3(1, 2, 3))
 	var height := field.get_plant_height(ids[0])
 	check_near(field.get_tip_position(ids[0]).distance_to(Vector3(1, 2, 3)), height, 1e-4)
@@ -50,14 +50,17 @@ func test_a_hundred_thousand_plants() -> void:
 	await _fill()
 	check_near(field.get_plant_count(), 100000, 1000.0)
 	await frames(5)
-	var told := field.get_statistics()
-	check_equal(told["simulated"], field.get_plant_count())
-	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
+	var reported := field.get_statistics()
+	check_equal(reported["simulated"], field.get_plant_count())
+	check(
+		reported["bytes_per_plant"] <= 96.0,
+		"at most 96 bytes a plant: %s" % reported["bytes_per_plant"]
+	)
 
 
 ## Queries and results use world positions. The wind's direction and the outline are set in other
 ## axes.
-func test_a_field_under_a_parent_is_the_one_that_stands_there_alone() -> void:
+func test_a_field_under_a_parent_equals_one_at_the_same_place() -> void:
 	var parent := Node3D.new()
 	parent.transform = Transform3D(Basis(Vector3.UP, 0.7), Vector3(30.0, 2.0, -7.0))
 	field.transform = Transform3D(Basis(Vector3.UP, -1.9), Vector3(5.0, 0.0, 3.0))
@@ -67,7 +70,9 @@ func test_a_field_under_a_parent_is_the_one_that_stands_there_alone() -> void:
 	var alone := await start_with_twin({transform = parent.transform * field.transform})
 	field.reparent(parent, false)
 	root.add_child(parent)
-	check(field.global_transform.is_equal_approx(alone.global_transform), "they stand together")
+	check(
+		field.global_transform.is_equal_approx(alone.global_transform), "they have the same place"
+	)
 	field.rebuild()
 	await filled(field)
 	check_equal(sorted_ids().size(), alone.get_plant_count(), "plants")
@@ -138,7 +143,7 @@ func test_shares_decide_between_species() -> void:
 		check_equal(field.get_plant_species(id), field.species[1].species, "species of %d" % id)
 
 
-func test_plants_stand_inside_the_area_and_outside_exclusions() -> void:
+func test_plants_are_inside_the_area_and_outside_exclusions() -> void:
 	field.outline = add_path(
 		"Area", [Vector3(0, 0, 0), Vector3(10, 0, 0), Vector3(10, 0, 10), Vector3(0, 0, 10)]
 	)
@@ -163,7 +168,7 @@ func test_plants_stand_inside_the_area_and_outside_exclusions() -> void:
 	path.free()
 
 
-func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back() -> void:
+func test_a_build_continues_when_its_field_returns_to_the_tree() -> void:
 	root.add_child(field)
 	while not field.is_building():
 		await process_frame
@@ -171,22 +176,22 @@ func test_a_field_that_leaves_the_tree_while_it_fills_goes_on_when_it_comes_back
 	root.remove_child(field)
 	await frames(3)
 	root.add_child(field)
-	await until(func() -> bool: return not field.is_building(), "it stands")
+	await until(func() -> bool: return not field.is_building(), "it exists")
 	check(field.get_plant_count() > 100, "%d plants" % field.get_plant_count())
 
 
-func test_filling_tells_how_far_it_is() -> void:
-	var told: Array[float] = []
-	field.build_progressed.connect(func(ratio: float) -> void: told.append(ratio))
+func test_a_build_reports_its_progress() -> void:
+	var reported: Array[float] = []
+	field.build_progressed.connect(func(ratio: float) -> void: reported.append(ratio))
 	field.size = Vector2(60, 60)
 	await _fill()
-	check(not told.is_empty() and told[-1] == 1.0, "it ends with 1: %s" % [told])
-	var sorted := told.duplicate()
+	check(not reported.is_empty() and reported[-1] == 1.0, "it ends with 1: %s" % [reported])
+	var sorted := reported.duplicate()
 	sorted.sort()
-	check_equal(told, sorted, "progress")
+	check_equal(reported, sorted, "progress")
 
 
-func test_the_old_field_stays_until_the_new_one_stands() -> void:
+func test_the_old_field_stays_until_the_new_one_is_ready() -> void:
 	await _fill()
 	var count := field.get_plant_count()
 	field.density = 1.0
@@ -208,11 +213,11 @@ func _make_field() -> PlantField3D:
 
 
 func _described(field: PlantField3D) -> Array:
-	var told := [field.get_plant_count()]
+	var reported := [field.get_plant_count()]
 	var ids := field.get_plant_ids()
 	for i: int in range(0, ids.size(), 13):
 		var id := ids[i]
-		told.append_array(
+		reported.append_array(
 			[field.get_plant_transform(id), field.get_plant_height(id), field.get_plant_seed(id)]
 		)
-	return told
+	return reported

@@ -1,6 +1,8 @@
 ## Plants that code adds while a field is busy, and queries of plants by their ids.
 extends "res://tests/engine/field_harness.gd"
 
+const SPECIES := "res://addons/undergrowth/species/"
+
 
 func before_each() -> void:
 	field = PlantField3D.from_species([TulipFunction.new()])
@@ -28,6 +30,17 @@ func test_plants_that_are_added_after_variants_were_raised() -> void:
 	field.add_plants(places, field.species[0].species)
 	await frames(3)
 	check_equal(field.get_plant_count(), count + 600, "plants")
+
+
+func test_plants_that_are_added_outside_the_tree() -> void:
+	await start()
+	var count := field.get_plant_count()
+	root.remove_child(field)
+	var ids := field.add_plants([Transform3D.IDENTITY], load(SPECIES + "dandelion.tres"))
+	_check_sound(ids)
+	root.add_child(field)
+	await rested()
+	check_equal(field.get_plant_count(), count + 1, "plants")
 
 
 func test_plants_of_extreme_size_are_refused_and_those_far_away_exist() -> void:
@@ -74,7 +87,7 @@ func test_preview_after_a_species_came_that_follows_prototypes() -> void:
 	_check_sound(field.get_plant_ids())
 
 
-func test_plants_that_are_added_before_the_first_filling_stay_as_high_as_they_are() -> void:
+func test_plants_added_before_the_first_build_preserve_their_height() -> void:
 	field.species.append(PlantFieldSpecies.of(ReedFunction.new()))
 	field.species[1].variants = 3
 	var places: Array[Transform3D] = []
@@ -94,7 +107,7 @@ func test_plants_that_are_added_before_the_first_filling_stay_as_high_as_they_ar
 		check_equal(field.get_plant_heights(ids[kind]), heights[kind], "heights of kind %d" % kind)
 
 
-func test_plants_that_are_added_before_the_usual_grass_grows_stay_as_high_as_they_are() -> void:
+func test_plants_added_before_the_default_grass_preserve_their_height() -> void:
 	field.species = []
 	root.add_child(field)
 	var ids := PackedInt64Array()
@@ -111,7 +124,7 @@ func test_plants_that_are_added_before_the_usual_grass_grows_stay_as_high_as_the
 	check(field.get_plant_height(later[0]) > 0.0, "more of them can be added")
 
 
-func test_a_species_that_comes_while_a_field_fills() -> void:
+func test_a_species_is_added_during_a_build() -> void:
 	field.size = Vector2(100, 100)
 	await start()
 	for round in 4:
@@ -132,7 +145,7 @@ func test_a_species_that_comes_while_a_field_fills() -> void:
 		_check_sound(ids)
 
 
-func test_a_species_whose_plants_went_and_come_again_while_a_field_fills() -> void:
+func test_plants_of_a_species_are_removed_and_return_during_a_build() -> void:
 	await start()
 	var reed := ReedFunction.new()
 	var id := field.add_plants([Transform3D(Basis.IDENTITY, Vector3(30, 0, 0))], reed)[0]
@@ -142,11 +155,11 @@ func test_a_species_whose_plants_went_and_come_again_while_a_field_fills() -> vo
 	await filled(field)
 	await frames(2)
 	check_equal(field.get_plant_species(again[0]), reed as PlantFunction, "species")
-	check_equal(field.has_plant(id), false, "who went")
+	check_equal(field.has_plant(id), false, "the removed plant")
 	_check_sound(again)
 
 
-func test_plants_that_are_mown_while_a_field_is_dressed_stay_away() -> void:
+func test_plants_mown_during_a_mesh_rebuild_stay_mown() -> void:
 	await start()
 	field.tile_size = 7.0
 	await frames(1)
@@ -176,7 +189,7 @@ func test_bulk_answers_are_the_single_ones() -> void:
 		check_near(field.get_plant_height(ids[i]), heights[i], 1e-6, "height %d" % i)
 		check_equal(field.get_tip_position(ids[i]), tips[i], "tip %d" % i)
 		check_equal(field.has_plant(ids[i]), true, "plant %d" % i)
-	check_equal(field.get_plant_transforms([]).size(), 0, "of nobody")
+	check_equal(field.get_plant_transforms([]).size(), 0, "of no ids")
 
 
 func test_a_state_that_was_kept_comes_back() -> void:
@@ -212,7 +225,7 @@ func test_several_plants_are_removed_by_their_ids() -> void:
 	check_equal(field.remove_plants(gone), 30, "removed")
 	check_equal(field.get_plant_count(), ids.size() - 30, "plants")
 	for i in ids.size():
-		check_equal(field.has_plant(ids[i]), i < 10 or i >= 40, "plant %d stands" % i)
+		check_equal(field.has_plant(ids[i]), i < 10 or i >= 40, "plant %d exists" % i)
 	check_equal(field.remove_plants(gone), 0, "removed again")
 
 
@@ -238,7 +251,7 @@ func test_plants_that_code_adds_are_drawn_once_at_every_level() -> void:
 		count -= 1 if field.remove_plant(ids[i]) else 0
 	await frames(3)
 	var left: PackedInt32Array = field.get_statistics()["drawn_by_level"]
-	check(left[-1] >= count, "%d are drawn, %d stand" % [left[-1], count])
+	check(left[-1] >= count, "%d are drawn, %d exist" % [left[-1], count])
 	camera.free()
 
 
@@ -249,13 +262,13 @@ func test_plants_keep_their_ids_when_they_grow_again() -> void:
 	field.rebuild()
 	await filled(field)
 	check_equal(sorted_ids(), ids, "ids")
-	check_equal(field.get_plant_transforms(ids), places, "where they stand")
+	check_equal(field.get_plant_transforms(ids), places, "their positions")
 	field.size = Vector2(10, 20)
 	await filled(field)
 	for id in field.get_plant_ids():
 		var i := ids.bsearch(id)
 		check(ids[i] == id, "plant %d was there before" % id)
-		check_equal(field.get_plant_transform(id), places[i], "where plant %d stands" % id)
+		check_equal(field.get_plant_transform(id), places[i], "where plant %d exists" % id)
 
 
 func _check_sound(ids: PackedInt64Array) -> void:
@@ -282,7 +295,7 @@ func test_the_257th_species_is_one_error_that_names_the_limit() -> void:
 	check_error("256 species")
 
 
-func test_a_species_that_finds_no_room_beside_prototypes_is_one_error_that_says_so() -> void:
+func test_a_species_without_room_beside_prototypes_is_one_error() -> void:
 	field.free()
 	field = PlantField3D.from_species([GrassFunction.new()])
 	field.density = 1.0
@@ -296,4 +309,4 @@ func test_a_species_that_finds_no_room_beside_prototypes_is_one_error_that_says_
 		count += 1
 	check_error("prototypes")
 	check(count > 40 and count < 256, "%d species have room" % count)
-	check_equal(field.get_plant_ids().size(), field.get_plant_count(), "what stands")
+	check_equal(field.get_plant_ids().size(), field.get_plant_count(), "existing plants")

@@ -28,42 +28,42 @@ func test_impulses_move_plants_in_reach_only() -> void:
 	check_error("apply_impulse_in_sphere")
 
 
-func test_bodies_push_plants_and_are_told_of() -> void:
+func test_bodies_push_plants_and_are_signalled() -> void:
 	field.wind = null
 	field.bodies_group = &"walkers"
 	await start()
 	var walker := add_walker()
 	walker.position = Vector3(0, 0.5, 50)
-	var told: Array[String] = []
+	var reported: Array[String] = []
 	field.body_entered_plants.connect(
-		func(body: Node3D) -> void: told.append("in" if body == walker else "?")
+		func(body: Node3D) -> void: reported.append("in" if body == walker else "?")
 	)
 	field.body_exited_plants.connect(
-		func(body: Node3D) -> void: told.append("out" if body == walker else "?")
+		func(body: Node3D) -> void: reported.append("out" if body == walker else "?")
 	)
 	await step(3)
-	check_equal(told, [] as Array[String], "told outside")
+	check_equal(reported, [] as Array[String], "signals outside")
 	var rest := all_tips()
 	walker.position = Vector3(0, 0.5, 0)
 	await step(5)
-	check_equal(told, ["in"] as Array[String], "told inside")
+	check_equal(reported, ["in"] as Array[String], "signals inside")
 	check(count_moved(rest, 0.05) > 0, "plants are pushed")
 	walker.position = Vector3(0, 0.5, 50)
 	await step(3)
-	check_equal(told, ["in", "out"] as Array[String], "told outside again")
+	check_equal(reported, ["in", "out"] as Array[String], "signals outside again")
 	walker.position = Vector3(0, 0.5, 0)
 	await step(3)
 	walker.remove_from_group(&"walkers")
 	await step(3)
 	check_equal(
-		told, ["in", "out", "in", "out"] as Array[String], "told of one that left the group"
+		reported, ["in", "out", "in", "out"] as Array[String], "signal of one that left the group"
 	)
 	await step(1500)
 	check_equal(count_moved(rest, 0.02), 0, "plants that have not come back")
 	walker.free()
 
 
-func test_each_of_several_bodies_is_told_of_by_its_own_place() -> void:
+func test_each_of_several_bodies_is_signalled_by_its_own_position() -> void:
 	field.wind = null
 	field.bodies_group = &"walkers"
 	await start()
@@ -71,9 +71,9 @@ func test_each_of_several_bodies_is_told_of_by_its_own_place() -> void:
 	for i in 3:
 		walkers.append(add_walker())
 		walkers[i].position = Vector3(0, 0.5, 50 + 5 * i)
-	var told: PackedStringArray = []
+	var reported: PackedStringArray = []
 	var tell := func(body: Node3D, what: String) -> void:
-		told.append("%d %s" % [walkers.find(body), what])
+		reported.append("%d %s" % [walkers.find(body), what])
 	field.body_entered_plants.connect(tell.bind("in"))
 	field.body_exited_plants.connect(tell.bind("out"))
 	for walker: Node3D in [walkers[2], walkers[0], walkers[1]]:
@@ -88,7 +88,7 @@ func test_each_of_several_bodies_is_told_of_by_its_own_place() -> void:
 	var expected: PackedStringArray = [
 		"2 in", "2 out", "0 in", "0 out", "1 in", "1 out", "2 in", "2 out"
 	]
-	check_equal(told, expected, "told")
+	check_equal(reported, expected, "signals")
 	for walker in walkers:
 		walker.free()
 
@@ -213,7 +213,7 @@ func test_a_crate_pushes_by_its_own_size_and_turn() -> void:
 		if at.x < 0.7 and at.z < 0.1:
 			rest = lean
 		if at.x > 1.2 or at.z > 0.5:
-			check(lean.y > 0.99, "plant %d beside it stands" % id)
+			check(lean.y > 0.99, "plant %d beside it is upright" % id)
 	check(rest.y < 0.995 and rest != Vector3.ZERO, "plants in its middle lean: %s" % rest)
 	crate.free()
 
@@ -246,7 +246,7 @@ func test_shapes_deep_below_a_body_push_but_not_those_of_areas() -> void:
 	hero.free()
 
 
-func test_bodies_that_cannot_push_are_told_of_once() -> void:
+func test_bodies_that_cannot_push_are_reported_once() -> void:
 	field.bodies_group = &"walkers"
 	var walker := add_walker()
 	var wall := add_body(WorldBoundaryShape3D.new())
@@ -259,7 +259,7 @@ func test_bodies_that_cannot_push_are_told_of_once() -> void:
 	wall.free()
 
 
-func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
+func test_an_empty_group_is_reported_once() -> void:
 	field.bodies_group = &"wlakers"
 	Engine.time_scale = 8.0
 	await start()
@@ -294,7 +294,7 @@ func test_what_is_set_down_among_plants_does_not_shove_them() -> void:
 	walker.free()
 
 
-func test_a_field_that_moves_is_not_shoved_by_a_body_that_stands() -> void:
+func test_a_moving_field_is_not_pushed_by_a_body_at_rest() -> void:
 	var still := await _max_lean_of(0.0, 0.0)
 	check(still > 0.05, "plants are pushed to %f rad" % still)
 	check_near(await _max_lean_of(0.02, 0.0), still, 0.005, "lean where the field moves")

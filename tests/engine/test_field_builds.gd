@@ -258,7 +258,7 @@ func test_strokes_and_changes_during_the_first_build_hold() -> void:
 	check_near(field.get_plant_count(), 3.0 * SIDE * SIDE, 700.0, "at the density that was set")
 
 
-func test_a_streaming_field_of_other_tiles_is_filling_at_once() -> void:
+func test_a_streaming_field_of_other_tiles_is_building_at_once() -> void:
 	_stream(field)
 	field.density = 1.0
 	await start()
@@ -323,7 +323,7 @@ func test_ground_that_fails_after_the_first_part_is_reported() -> void:
 		await until(func() -> bool: return not _ends.is_empty(), "it ends")
 		await rested()
 		check_error("answers with no float")
-		check(field.get_plant_count() > 0, "the first part stands")
+		check(field.get_plant_count() > 0, "the first part is built")
 		check_equal(_ends.size(), 1, "signals: %s" % _ends)
 		check(str(_ends).contains("answers with no float"), "it says why: %s" % _ends)
 		root.remove_child(field)

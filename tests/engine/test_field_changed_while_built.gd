@@ -32,7 +32,7 @@ func test_the_law_changes() -> void:
 		await _check_each(changes, {"species:law": before})
 
 
-func test_the_species_moves_otherwise() -> void:
+func test_the_species_has_another_motion() -> void:
 	await _check_each([{"species:lean": 0.4}, {"species:mass": 0.01}])
 	await _check_each([{"species:natural_frequency": 3.0}, {"species:damping_ratio": 0.8}])
 	await _check_each([{"species:wind_weight": 0.7}, {"species:drag_area": 0.01}])
@@ -40,7 +40,7 @@ func test_the_species_moves_otherwise() -> void:
 	await _check_each([{"species:material": StandardMaterial3D.new()}])
 
 
-func test_the_species_looks_otherwise() -> void:
+func test_the_species_has_another_appearance() -> void:
 	var leaves := PlantArrangement.new()
 	leaves.part = PlantBlade.new()
 	var arrangements: Array[PlantArrangement] = [leaves]

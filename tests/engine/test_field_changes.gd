@@ -4,14 +4,14 @@ extends "res://tests/engine/field_harness.gd"
 
 class Painted:
 	extends PlantFunction
-	var asked_for: Array[Color] = []
+	var requested: Array[Color] = []
 	var paint := Color.GREEN:
 		set(value):
 			paint = value
 			emit_changed()
 
 	func _calculate_color_at_point(_offset: float) -> Color:
-		asked_for.append(paint)
+		requested.append(paint)
 		return paint
 
 
@@ -28,7 +28,7 @@ func before_each() -> void:
 	field.wind.strength = 3.0
 
 
-func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
+func test_graphics_settings_preserve_plants_edits_and_motion() -> void:
 	var changes := {
 		"shadow_distance": func() -> void: field.shadow_distance = 3.0,
 		"no shadow_distance": func() -> void: field.shadow_distance = 0.0,
@@ -53,7 +53,7 @@ func test_graphics_settings_keep_plants_mown_places_and_motion() -> void:
 	await _check_kept(changes)
 
 
-func test_looks_of_species_keep_plants_mown_places_and_motion() -> void:
+func test_styles_of_species_preserve_plants_edits_and_motion() -> void:
 	var tulip := field.species[0].species as TulipFunction
 	var changes := {
 		"colour": func() -> void: tulip.flower_color = Color.BLUE,
@@ -65,7 +65,7 @@ func test_looks_of_species_keep_plants_mown_places_and_motion() -> void:
 	await _check_kept(changes)
 
 
-func test_settings_of_motion_keep_plants_mown_places_and_motion() -> void:
+func test_motion_settings_preserve_plants_edits_and_motion() -> void:
 	var tulip := field.species[0].species as TulipFunction
 	var changes := {
 		"update_interval": func() -> void: field.update_interval = 3,
@@ -81,7 +81,7 @@ func test_settings_of_motion_keep_plants_mown_places_and_motion() -> void:
 	await _check_kept(changes)
 
 
-func test_prototypes_keep_plants_and_mown_places() -> void:
+func test_prototypes_preserve_plants_and_edits() -> void:
 	await _start_mown()
 	var ids := sorted_ids()
 	for count: int in [8, 3, 0]:
@@ -90,7 +90,7 @@ func test_prototypes_keep_plants_and_mown_places() -> void:
 		check_equal(sorted_ids(), ids, "plants with %d prototypes" % count)
 
 
-func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
+func test_a_motion_property_set_during_a_build_counts() -> void:
 	field.wind = null
 	field.size = Vector2(100, 100)
 	var tulip := field.species[0].species as TulipFunction
@@ -122,7 +122,7 @@ func test_a_property_of_motion_that_is_set_while_a_field_fills_counts() -> void:
 	check_equal(rest.size(), ids.size(), "tips")
 
 
-func test_what_is_set_of_the_view_while_a_field_fills_counts() -> void:
+func test_view_properties_set_during_a_build_count() -> void:
 	field.size = Vector2(100, 100)
 	root.add_child(field)
 	await catch_filling()
@@ -136,7 +136,7 @@ func test_what_is_set_of_the_view_while_a_field_fills_counts() -> void:
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 3, "levels")
 
 
-func test_a_look_that_changes_in_every_frame_is_worn_now_and_then() -> void:
+func test_a_style_that_changes_in_every_frame_is_applied_in_between() -> void:
 	await _start_mown()
 	var grass := field.species[1].species as GrassFunction
 	var states := {}
@@ -145,29 +145,29 @@ func test_a_look_that_changes_in_every_frame_is_worn_now_and_then() -> void:
 		await process_frame
 		states[field.get_statistics()["is_rebuilding_meshes"]] = true
 	await rested()
-	check(not field.is_building(), "it grows nothing anew")
-	check(states.has(true), "it was dressed")
+	check(not field.is_building(), "it rebuilds nothing")
+	check(states.has(true), "its meshes were rebuilt")
 
 
-func test_a_look_that_changes_while_it_is_dressed_is_worn_in_the_end() -> void:
+func test_a_style_that_changes_during_a_mesh_rebuild_is_applied_in_the_end() -> void:
 	var painted := Painted.new()
 	field.species = [PlantFieldSpecies.of(painted)]
 	field.size = Vector2(100, 100)
 	await start()
-	var once := painted.asked_for.size()
+	var once := painted.requested.size()
 	for attempt in 50:
 		painted.paint = Color.RED
 		await process_frame
 		if field.get_statistics()["is_rebuilding_meshes"]:
 			break
-	check(field.get_statistics()["is_rebuilding_meshes"], "it is dressed in the first colour")
+	check(field.get_statistics()["is_rebuilding_meshes"], "it gets the first colour")
 	painted.paint = Color.BLUE
 	await rested()
-	var blues := painted.asked_for.count(Color.BLUE)
-	check(blues >= once, "asked for the last colour %d times, of %d for a look" % [blues, once])
+	var blues := painted.requested.count(Color.BLUE)
+	check(blues >= once, "requested the last colour %d times, of %d for a style" % [blues, once])
 
 
-func test_a_species_leans_otherwise_while_its_field_runs() -> void:
+func test_a_species_changes_its_lean_while_its_field_runs() -> void:
 	field.wind = null
 	var tulip := TulipFunction.new()
 	tulip.law = PlantFunction.LAW_SPRING

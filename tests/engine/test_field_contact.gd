@@ -11,16 +11,16 @@ func before_each() -> void:
 	field.wind.kind = PlantWind.KIND_WAVES
 
 
-func test_an_absurd_collision_radius_is_told_of_once() -> void:
+func test_an_absurd_collision_radius_is_reported_once() -> void:
 	field.species[0].species.collision_radius = 50.0
 	await start()
-	check(field.get_plant_count() > 1500, "%d plants stand" % field.get_plant_count())
+	check(field.get_plant_count() > 1500, "%d plants exist" % field.get_plant_count())
 	await step(20)
 	check_error("too many tips are near each other")
 
 
-func test_usual_fields_are_not_told_of_a_crowd() -> void:
+func test_usual_fields_report_no_crowd() -> void:
 	field.density = 20.0
 	await start()
 	await step(30)
-	check(field.get_plant_count() > 15000, "%d plants stand" % field.get_plant_count())
+	check(field.get_plant_count() > 15000, "%d plants exist" % field.get_plant_count())

@@ -19,7 +19,7 @@ func test_a_box_is_cut() -> void:
 	var box := AABB(Vector3(3, 0, -5), Vector3(4, 2, 3))
 	var inside := _inside(func(place: Vector3) -> bool: return box.has_point(place))
 	check_equal(field.remove_in_box(box), inside, "cut")
-	check(inside > 80, "%d stood there" % inside)
+	check(inside > 80, "%d were there" % inside)
 	check_equal(field.find_plants_in_box(box).size(), 0, "left")
 	check_equal(field.remove_in_box(box), 0, "cut again")
 
@@ -33,7 +33,7 @@ func test_a_polygon_is_cut_however_high() -> void:
 	var is_inside := func(place: Vector3) -> bool:
 		return Geometry2D.is_point_in_polygon(Vector2(place.x, place.z), flat)
 	var inside := _inside(is_inside)
-	check(inside > 100, "%d stand there" % inside)
+	check(inside > 100, "%d are there" % inside)
 	check(absi(field.remove_in_polygon(points) - inside) <= 1, "cut")
 	check(_inside(is_inside) <= 1, "left")
 
@@ -52,12 +52,12 @@ func test_a_way_is_cut_once_where_it_bends_however_high() -> void:
 	var inside := _inside(is_near)
 	var count := field.get_plant_count()
 	var cut := field.remove_along(way, 1.5)
-	check(inside > 150, "%d stood there" % inside)
+	check(inside > 150, "%d were there" % inside)
 	check(absi(cut - inside) <= 1, "%d are cut, not %d" % [cut, inside])
 	check_equal(field.get_plant_count(), count - cut, "left in all")
 
 
-func test_who_is_cut_is_neither_found_nor_pushed_at_once() -> void:
+func test_cut_plants_are_neither_found_nor_pushed() -> void:
 	await start()
 	await step(3)
 	var id := field.find_plants_in_sphere(field.global_position, 1.0)[0]
@@ -66,7 +66,7 @@ func test_who_is_cut_is_neither_found_nor_pushed_at_once() -> void:
 	check(field.is_point_in_plants(tip), "there is a plant")
 	field.remove_in_sphere(field.global_position, 3.0)
 	check(not field.has_plant(id), "it is gone")
-	check(not field.is_point_in_plants(tip), "nobody is there")
+	check(not field.is_point_in_plants(tip), "no plant is there")
 	check_equal(field.apply_blast(field.global_position, 2.5, 1.0), 0, "plants that are blown at")
 	await step(3)
 	check(not field.is_point_in_plants(tip), "nor later")
@@ -86,7 +86,7 @@ func test_cutting_in_a_paused_tree_and_while_it_does_not_move() -> void:
 	check(field.remove_in_sphere(field.global_position, 4.0) > 50, "cut then")
 
 
-func test_a_blast_blows_away_from_its_centre_the_more_the_nearer() -> void:
+func test_a_blast_pushes_away_from_its_centre_and_falls_off() -> void:
 	await start()
 	await step(3)
 	field.simulation_enabled = false
@@ -110,7 +110,7 @@ func test_a_blast_blows_away_from_its_centre_the_more_the_nearer() -> void:
 	check(near > 2.0 * far, "near ones are as fast as %f, far ones as %f" % [near, far])
 
 
-func test_bad_places_are_one_error_each_and_cut_nobody() -> void:
+func test_bad_positions_are_one_error_each_and_cut_nothing() -> void:
 	await start()
 	var count := field.get_plant_count()
 	field.remove_in_box(AABB(Vector3(NAN, 0, 0), Vector3.ONE))

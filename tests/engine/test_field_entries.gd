@@ -4,11 +4,11 @@ extends "res://tests/engine/harness.gd"
 const PATH := "user://saved_entry.tres"
 
 ## The kind of change of each received signal.
-var _heard := []
+var _signals := []
 
 
 func before_each() -> void:
-	_heard = []
+	_signals = []
 
 
 func test_numbers_out_of_range_give_one_error_and_are_not_kept() -> void:
@@ -36,7 +36,7 @@ func test_scales_go_from_the_smaller_to_the_larger() -> void:
 	check_equal(entry.scale_range, Vector2(0.8, 1.2))
 
 
-func test_degrees_where_radians_belong_are_told() -> void:
+func test_degrees_instead_of_radians_are_reported() -> void:
 	var entry := PlantFieldSpecies.new()
 	entry.lean_deviation = 45.0
 	check_error("lean_deviation cannot be 45.0 rad, which is 2578.3°")
@@ -85,7 +85,7 @@ func test_a_change_states_its_kind() -> void:
 	var placement := PlantFieldSpecies.CHANGE_PLACEMENT
 	var motion := PlantFieldSpecies.CHANGE_MOTION
 	var appearance := PlantFieldSpecies.CHANGE_APPEARANCE
-	check_equal(_heard, [placement, motion, appearance, placement, appearance])
+	check_equal(_signals, [placement, motion, appearance, placement, appearance])
 	check_equal(entry.get_change_kind(), PlantFieldSpecies.CHANGE_NONE, "nothing is emitted now")
 
 
@@ -93,9 +93,9 @@ func test_a_species_that_was_replaced_is_no_longer_followed() -> void:
 	var tulip := TulipFunction.new()
 	var entry := _listened(PlantFieldSpecies.of(tulip))
 	entry.species = null
-	_heard = []
+	_signals = []
 	tulip.mass = 0.5
-	check_equal(_heard, [])
+	check_equal(_signals, [])
 
 
 func test_what_a_listener_sets_is_a_change_of_its_own() -> void:
@@ -105,13 +105,13 @@ func test_what_a_listener_sets_is_a_change_of_its_own() -> void:
 	entry.changed.connect(set_weight)
 	tulip.mass = 0.5
 	entry.changed.disconnect(set_weight)
-	check_equal(_heard, [PlantFieldSpecies.CHANGE_MOTION, PlantFieldSpecies.CHANGE_PLACEMENT])
+	check_equal(_signals, [PlantFieldSpecies.CHANGE_MOTION, PlantFieldSpecies.CHANGE_PLACEMENT])
 	check_equal(
 		entry.get_change_kind(), PlantFieldSpecies.CHANGE_NONE, "the first emission is over"
 	)
 
 
-func test_an_entry_may_be_dropped_while_it_tells_of_a_change() -> void:
+func test_an_entry_may_be_freed_while_it_emits_changed() -> void:
 	var tulip := TulipFunction.new()
 	var kept := [PlantFieldSpecies.of(tulip)]
 	kept[0].changed.connect(kept.clear)
@@ -149,7 +149,7 @@ func test_saved_entries_load_equal() -> void:
 	entry.lean_deviation = deg_to_rad(0.9)
 	check_equal(ResourceSaver.save(entry, PATH), OK, "saving")
 	var text := FileAccess.get_file_as_string(PATH)
-	check(not text.contains("resource_name"), "a name that nobody gave is not saved: " + text)
+	check(not text.contains("resource_name"), "a name that was not set is not saved: " + text)
 	var loaded: PlantFieldSpecies = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)
 	for property in ["weight", "scale_range", "lean_deviation", "resource_name"]:
 		check_equal(loaded.get(property), entry.get(property), property)
@@ -161,30 +161,30 @@ func test_saved_entries_load_equal() -> void:
 
 
 func _refuse(resource: Resource, bad: Dictionary) -> void:
-	resource.changed.connect(_hear.bind(resource))
+	resource.changed.connect(_record.bind(resource))
 	for property: String in bad:
 		var before: Variant = resource.get(property)
 		for value: Variant in bad[property]:
 			resource.set(property, value)
 			check_error(property + " cannot be ")
 			check_equal(resource.get(property), before, property)
-	check_equal(_heard, [], "nothing was told")
+	check_equal(_signals, [], "no signal")
 
 
 func _count_changes(resource: Resource, values: Dictionary) -> void:
-	resource.changed.connect(_hear.bind(resource))
+	resource.changed.connect(_record.bind(resource))
 	for property: String in values:
 		for expected: int in [1, 0]:  # An equal value is no change.
-			_heard = []
+			_signals = []
 			resource.set(property, values[property])
-			check_equal(_heard.size(), expected, "signals for " + property)
+			check_equal(_signals.size(), expected, "signals for " + property)
 
 
 func _listened(entry: PlantFieldSpecies) -> PlantFieldSpecies:
-	entry.changed.connect(_hear.bind(entry))
+	entry.changed.connect(_record.bind(entry))
 	return entry
 
 
-func _hear(resource: Resource) -> void:
+func _record(resource: Resource) -> void:
 	var entry := resource as PlantFieldSpecies
-	_heard.append(entry.get_change_kind() if entry else -1)
+	_signals.append(entry.get_change_kind() if entry else -1)

@@ -29,9 +29,12 @@ func test_a_million_plants() -> void:
 	await _fill()
 	check_near(_field.get_plant_count(), 1_000_000, 5000.0)
 	await frames(4)
-	var told := _field.get_statistics()
-	check_equal(told["simulated"], _field.get_plant_count())
-	check(told["bytes_per_plant"] <= 96.0, "at most 96 bytes a plant: %s" % told["bytes_per_plant"])
+	var reported := _field.get_statistics()
+	check_equal(reported["simulated"], _field.get_plant_count())
+	check(
+		reported["bytes_per_plant"] <= 96.0,
+		"at most 96 bytes a plant: %s" % reported["bytes_per_plant"]
+	)
 	var last := _field.get_plant_ids()[-1]
 	check(_field.get_tip_position(last).is_finite(), "the last tip is finite")
 	check(_field.remove_in_sphere(Vector3.ZERO, 5.0) > 200, "plants in the middle are removed")
@@ -61,7 +64,7 @@ func test_more_histories_than_a_graphics_card_can_draw_are_refused() -> void:
 	while _field.is_building():
 		await process_frame
 	check_error("texture layers")
-	check_equal(_field.get_plant_ids(), ids, "what stood before")
+	check_equal(_field.get_plant_ids(), ids, "the plants of before")
 
 
 func test_a_quarter_of_an_hour_of_wind_leads_to_no_drift_and_takes_no_memory() -> void:
@@ -150,7 +153,7 @@ func test_frames_of_any_length() -> void:
 			check(tip.is_finite(), "tip at a time scale of %s" % time_scale)
 
 
-func test_a_fault_is_told_once_and_not_in_each_frame() -> void:
+func test_an_error_is_reported_once_and_not_in_each_frame() -> void:
 	_field.size = Vector2(4, 4)
 	_field.species[0].weight = 0.0
 	root.add_child(_field)

@@ -132,7 +132,7 @@ func test_ends_of_a_range_push_each_other() -> void:
 	check_near(blade.length, Vector2(0.4, 0.4), 1e-6, "length")
 
 
-func test_degrees_as_slope_limits_are_one_error_that_says_radians() -> void:
+func test_degrees_as_slope_limits_are_one_error_that_names_radians() -> void:
 	var before := field.slope_limits
 	field.slope_limits = Vector2(0, 90)
 	check_error("in radians: deg_to_rad(90.0) is 90.0°")
@@ -252,11 +252,11 @@ func _places_of(function: PlantFunction) -> Array:
 
 
 func _described(field: PlantField3D) -> Array:
-	var told := [field.get_plant_count()]
+	var reported := [field.get_plant_count()]
 	var ids := field.get_plant_ids()
 	for i: int in range(0, ids.size(), 13):
 		var id := ids[i]
-		told.append_array(
+		reported.append_array(
 			[field.get_plant_transform(id), field.get_plant_height(id), field.get_plant_seed(id)]
 		)
-	return told
+	return reported

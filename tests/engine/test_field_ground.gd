@@ -6,7 +6,7 @@ func before_each() -> void:
 	field = _make_field()
 
 
-func test_ground_is_what_a_mesh_says() -> void:
+func test_the_ground_follows_a_mesh() -> void:
 	var hill := MeshInstance3D.new()
 	var plane := PlaneMesh.new()
 	plane.size = Vector2(10, 10)
@@ -116,7 +116,7 @@ func test_ground_is_what_rays_hit() -> void:
 	body.free()
 
 
-func test_on_colliders_plants_stand_between_heights_of_a_grid() -> void:
+func test_on_colliders_heights_are_interpolated_on_a_grid() -> void:
 	var hill := StaticBody3D.new()
 	var ball := SphereShape3D.new()
 	ball.radius = 30.0
@@ -144,7 +144,7 @@ func test_nothing_grows_on_bodies_that_push_plants() -> void:
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.density = 60.0
 	await _fill()
-	check(field.get_plant_count() > 3000, "%d plants stand" % field.get_plant_count())
+	check(field.get_plant_count() > 3000, "%d plants exist" % field.get_plant_count())
 	for transform in field.get_plant_transforms(field.get_plant_ids()):
 		var height := transform.origin.y
 		check(absf(height - 1.5) < 1e-3, "a plant stands on the ground, not at %f" % height)
@@ -152,7 +152,7 @@ func test_nothing_grows_on_bodies_that_push_plants() -> void:
 	ground.free()
 
 
-func test_below_roofs_plants_stand_where_the_lowest_ground_is_chosen() -> void:
+func test_with_the_lowest_ground_plants_grow_below_roofs() -> void:
 	var ground := add_plate(100.0, 0.5)
 	var roof := add_plate(4.0, 5.0)
 	var upper_roof := add_plate(2.0, 8.0)
@@ -201,7 +201,7 @@ func test_of_a_mesh_with_a_roof_the_lowest_ground_may_be_chosen() -> void:
 	house.free()
 
 
-func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
+func test_a_field_without_ground_reports_what_to_check() -> void:
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	await _fill()
 	check_equal(field.get_plant_count(), 0, "plants without a ground")
@@ -213,7 +213,7 @@ func test_a_field_that_finds_no_ground_says_what_to_check() -> void:
 	await physics_frames(2)
 	field.rebuild()
 	await filled(field)
-	check(field.get_plant_count() > 200, "plants stand once the ground is there")
+	check(field.get_plant_count() > 200, "plants exist once the ground is there")
 	field.ground_collision_mask = 2
 	await filled(field)
 	check_error("ground_collision_mask")

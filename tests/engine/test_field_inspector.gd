@@ -48,7 +48,7 @@ func test_the_inspector_groups_what_a_species_is_and_offers_both_kinds_of_materi
 			check_equal(property["hint_string"], "BaseMaterial3D,ShaderMaterial", "materials")
 	check_equal(groups["shading"], "Look", "group of shading")
 	check_equal(groups["material"], "Look", "group of material")
-	check(groups["mass"] != "Look", "mass is not of the look")
+	check(groups["mass"] != "Look", "mass is not in the group Look")
 
 
 ## Returns those of these properties that the inspector shows, in its order.

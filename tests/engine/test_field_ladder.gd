@@ -35,7 +35,7 @@ func test_changing_the_motion_keeps_the_state() -> void:
 	field.wind.travel_speed = 2.0
 	field.update_interval = 3
 	check_equal(all_tips(), before, "tips")
-	check(not field.is_building(), "the field is not filled anew")
+	check(not field.is_building(), "the field is not rebuilt")
 
 
 func test_an_interval_stays_near_the_full_rate() -> void:
@@ -63,7 +63,7 @@ func test_prototypes_do_not_move_in_unison() -> void:
 	check(same < tips.size() * 0.2, "%d of %d plants are as the first" % [same, tips.size()])
 
 
-func test_a_follower_that_was_pushed_swings_on_when_the_field_is_filled_anew() -> void:
+func test_a_pushed_follower_swings_on_when_the_field_is_rebuilt() -> void:
 	var tulip := field.species[0].species as TulipFunction
 	tulip.law = PlantFunction.LAW_SPRING
 	tulip.natural_frequency = 0.5

@@ -26,7 +26,7 @@ func test_freed_while_it_moves() -> void:
 	check(not is_instance_valid(_field), "it is gone")
 
 
-func test_freed_while_it_fills() -> void:
+func test_freed_during_a_build() -> void:
 	for i in 5:
 		var field: PlantField3D = _field.duplicate()
 		root.add_child(field)
@@ -36,7 +36,7 @@ func test_freed_while_it_fills() -> void:
 	check(_field.get_plant_count() > 0, "the other stays")
 
 
-func test_removing_nothing_from_a_field_that_never_stood() -> void:
+func test_removing_from_a_field_that_was_never_built() -> void:
 	var field := PlantField3D.new()
 	check_equal(field.remove_plants([12345]), 0, "plants of no such id")
 	check_equal(field.remove_in_sphere(Vector3.ZERO, 1.0), 0, "plants where none are")
@@ -128,7 +128,7 @@ func test_properties_that_change_in_every_frame() -> void:
 	check_near(_field.get_plant_count(), 2.0 * 3600.0, 300.0)
 
 
-func test_fields_without_a_tree_say_nothing() -> void:
+func test_fields_without_a_tree_report_nothing() -> void:
 	var field := PlantField3D.from_species([GrassFunction.new()])
 	field.rebuild()
 	check_equal(field.get_plant_count(), 0)
@@ -138,7 +138,7 @@ func test_fields_without_a_tree_say_nothing() -> void:
 	field.free()
 
 
-func test_ids_that_do_not_stand_are_one_error() -> void:
+func test_unknown_ids_are_one_error() -> void:
 	check_equal(_field.get_plant_transform(-1), Transform3D.IDENTITY)
 	check_error("no plant -1")
 	check_equal(_field.get_tip_position(100000000000), Vector3.ZERO)
@@ -203,8 +203,7 @@ func test_plants_that_are_added_in_every_frame() -> void:
 	check_equal(_field.get_plant_count(), count + 40)
 	for i in 40:
 		check(
-			_field.is_point_in_plants(Vector3(100 + i, 0.05, 0)),
-			"plant at %d stands there" % (100 + i)
+			_field.is_point_in_plants(Vector3(100 + i, 0.05, 0)), "plant at %d is there" % (100 + i)
 		)
 	check_equal(_field.remove_in_sphere(Vector3(110, 0, 0), 2.5), 5)
 	check_equal(_field.get_plant_count(), count + 35)
@@ -227,7 +226,7 @@ func test_plants_that_come_and_go_take_no_more_room_each_time() -> void:
 	check_near(Performance.get_monitor(Performance.MEMORY_STATIC), taken, ROOM, "bytes")
 
 
-func test_added_plants_outlive_a_new_fill() -> void:
+func test_added_plants_survive_a_rebuild() -> void:
 	var place := Transform3D(Basis.IDENTITY, Vector3(200, 0, 0))
 	var id := _field.add_plants([place], TulipFunction.new())[0]
 	await frames(2)
@@ -235,7 +234,7 @@ func test_added_plants_outlive_a_new_fill() -> void:
 	await _field.build_finished
 	await frames(2)
 	check_equal(_field.get_plant_transform(id).origin, Vector3(200, 0, 0), "by its id")
-	check(_field.is_point_in_plants(Vector3(200, 0.1, 0)), "it still stands there")
+	check(_field.is_point_in_plants(Vector3(200, 0.1, 0)), "it is still there")
 
 
 func test_many_plants_are_added_fast() -> void:
@@ -249,7 +248,7 @@ func test_many_plants_are_added_fast() -> void:
 	check_equal(_field.get_plant_count(), count + 20000)
 	check_equal(_field.get_plant_transform(ids[0]).basis, Basis.IDENTITY)
 	var place := _field.get_plant_transform(ids[-1]).origin
-	check(place.x >= 300 and place.z >= 0, "it stands where it should: %s" % place)
+	check(place.x >= 300 and place.z >= 0, "it is where it should be: %s" % place)
 
 
 func test_transforms_that_are_none_are_left_out_with_one_error() -> void:
@@ -278,7 +277,7 @@ func test_transforms_that_are_none_are_left_out_with_one_error() -> void:
 	check_equal(_field.get_plant_count(), count + 1)
 
 
-func test_a_point_is_in_plants_where_one_stands() -> void:
+func test_a_point_at_a_plant_is_in_plants() -> void:
 	var place := _field.get_plant_transform(_field.get_plant_ids()[20]).origin
 	check(_field.is_point_in_plants(place + Vector3(0, 0.1, 0)), "at a plant")
 	check(not _field.is_point_in_plants(place + Vector3(0, 30, 0)), "above it")
@@ -288,7 +287,7 @@ func test_a_point_is_in_plants_where_one_stands() -> void:
 	check(_field.is_point_in_plants(place + Vector3(500, 0.1, 0)), "at a plant of a moved field")
 
 
-func test_a_species_of_a_material_that_does_not_bend_is_told_once() -> void:
+func test_a_material_that_does_not_bend_is_reported_once() -> void:
 	var shader := Shader.new()
 	shader.code = "shader_type spatial;"
 	var material := ShaderMaterial.new()

@@ -33,7 +33,7 @@ func test_plants_that_code_added_keep_their_species_when_it_leaves_the_list() ->
 		var is_added := id in _added
 		var function := field.get_plant_species(id)
 		check_equal(function == _tulip, is_added, "plant %d is a tulip" % id)
-	check_equal(field.get_plant_count() > 300, true, "grass stands")
+	check_equal(field.get_plant_count() > 300, true, "grass exists")
 
 
 func test_a_law_that_changes_after_its_species_left_the_list_reaches_added_plants() -> void:
@@ -46,7 +46,7 @@ func test_a_law_that_changes_after_its_species_left_the_list_reaches_added_plant
 		check_near(relative_tip(id).angle_to(Vector3.UP), deg_to_rad(40.0), 0.03, "lean")
 
 
-func test_a_law_that_changes_while_the_field_fills_without_it_reaches_added_plants() -> void:
+func test_a_law_that_changes_during_a_build_without_it_reaches_added_plants() -> void:
 	await _delist(false)
 	_tulip.damping_ratio = 1.0
 	_tulip.lean = deg_to_rad(40.0)
@@ -71,7 +71,7 @@ func test_a_species_of_another_entry_is_followed_where_code_added_plants() -> vo
 	await _check_recoloured()
 
 
-func test_a_list_that_is_set_again_and_again_fills_the_field_once_each() -> void:
+func test_a_list_that_is_set_repeatedly_rebuilds_the_field_once_each() -> void:
 	await start()
 	var fills := [0]
 	field.build_finished.connect(func() -> void: fills[0] += 1)
@@ -141,7 +141,7 @@ func _check_recoloured() -> void:
 	field.skeleton_distance = 5.0
 	for color: Color in [Color.BLUE, Color.RED]:
 		_tulip.flower_color = color
-		check(not field.is_building(), "it is not filled anew")
+		check(not field.is_building(), "it is not rebuilt")
 		await rested()
 		await frames(30)
 		var colors := _colors_of(field.get_skeleton(_added[0]))

@@ -25,10 +25,10 @@ func test_fewer_plants_are_drawn_the_farther_the_camera_is() -> void:
 	var drawn := PackedInt32Array()
 	for away: float in [0.0, 30.0, 60.0, 110.0]:
 		drawn.append(await _drawn_from(away))
-	check_equal(drawn[0], field.get_plant_count(), "whoever stands beside the camera")
+	check_equal(drawn[0], field.get_plant_count(), "plants beside the camera")
 	for i in 3:
 		check(drawn[i + 1] < drawn[i] * 0.9, "drawn from ever farther: %s" % drawn)
-	check_near(drawn[3] / float(drawn[0]), 0.25, 0.06, "the share and who shrinks")
+	check_near(drawn[3] / float(drawn[0]), 0.25, 0.06, "the density and the fading plants")
 	check_equal(await _drawn_from(0.0), drawn[0], "back again")
 
 
@@ -39,18 +39,20 @@ func test_a_share_touches_no_plant() -> void:
 	var ids := field.get_plant_ids()
 	var places := field.get_plant_transforms(ids)
 	var all := await _drawn_from(40.0)
-	var heard := []
-	field.build_finished.connect(func() -> void: heard.append(true))
+	var signals := []
+	field.build_finished.connect(func() -> void: signals.append(true))
 	field.levels[0].density = 0.3
-	check(not field.is_building(), "it is not filled anew")
-	check(not field.get_statistics()["is_rebuilding_meshes"], "it is not dressed anew")
+	check(not field.is_building(), "it is not rebuilt")
+	check(not field.get_statistics()["is_rebuilding_meshes"], "its meshes are not rebuilt")
 	await frames(3)
 	check(await _drawn_from(40.0) < all * 0.5, "fewer are drawn")
-	check(heard.is_empty(), "nobody heard that it was filled")
+	check(signals.is_empty(), "no build_finished")
 	check_equal(field.get_plant_ids(), ids, "ids")
 	check_equal(field.get_plant_transforms(ids), places, "places")
 	check_equal(field.find_plants_in_sphere(Vector3.ZERO, 20.0).size(), ids.size(), "found")
-	check(not field.get_tip_position(ids[-1]).is_zero_approx(), "a tip of whoever may be away")
+	check(
+		not field.get_tip_position(ids[-1]).is_zero_approx(), "a tip of a plant that may be hidden"
+	)
 
 
 func test_added_plants_are_left_away_too() -> void:
@@ -63,7 +65,7 @@ func test_added_plants_are_left_away_too() -> void:
 	)
 	await frames(2)
 	check_equal(await _drawn_from(0.0), 2)
-	check(await _drawn_from(100.0) < 2, "at the end nobody is left")
+	check(await _drawn_from(100.0) < 2, "none is left at the end")
 
 
 func test_without_levels_only_plants_of_parts_are_thinned() -> void:

@@ -27,7 +27,7 @@ func test_an_empty_map_grows_nothing_and_its_strokes_do() -> void:
 	for id in field.get_plant_ids():
 		check(field.get_plant_species(id) is TulipFunction, "it is a tulip")
 		var root_at := field.get_plant_transform(id).origin
-		check(root_at.distance_to(Vector3(30, 0, 4)) < 4.4, "it stands in the circle")
+		check(root_at.distance_to(Vector3(30, 0, 4)) < 4.4, "it is in the circle")
 
 
 func test_painted_heights_are_those_of_plants() -> void:
@@ -104,7 +104,7 @@ func test_exclusions_count_on_a_map() -> void:
 	check_equal(field.find_plants_in_sphere(Vector3.ZERO, 3.0).size(), 0, "plants in the pond")
 
 
-func test_a_map_that_cannot_be_read_is_told_and_what_stands_stays() -> void:
+func test_an_unreadable_map_is_reported_and_the_plants_stay() -> void:
 	await start()
 	var plants := all_plants()
 	map.data = PackedByteArray([1, 2, 3])
@@ -131,7 +131,7 @@ func test_fields_that_share_a_map_both_grow_by_it() -> void:
 	other.free()
 
 
-func test_a_name_that_no_field_reads_is_told_of_once() -> void:
+func test_an_unused_layer_name_is_reported_once() -> void:
 	field.map = map
 	var other := PlantField3D.from_species([ReedFunction.new()])
 	other.map = map
@@ -152,7 +152,7 @@ func test_a_name_that_no_field_reads_is_told_of_once() -> void:
 	other.free()
 
 
-func test_a_map_that_was_painted_for_others_is_told_of_once_it_grows() -> void:
+func test_a_map_of_other_species_is_reported_when_it_is_used() -> void:
 	map.paint(Vector3.ZERO, 2.0, "Tulpe", 1.0)
 	map.paint(Vector3.ZERO, 2.0, TULIP, 1.0)
 	field.map = map

@@ -41,7 +41,7 @@ func test_still_air_leaves_plants_at_rest() -> void:
 	check_equal(all_tips(), before, "tips")
 
 
-func test_a_paused_tree_and_a_disabled_node_stand_still() -> void:
+func test_a_paused_tree_and_a_disabled_node_do_not_move() -> void:
 	await start()
 	await step(10)
 	paused = true
@@ -60,7 +60,7 @@ func test_a_paused_tree_and_a_disabled_node_stand_still() -> void:
 	check(all_tips() != before, "they move again")
 
 
-func test_a_field_that_does_not_simulate_stands_still() -> void:
+func test_a_field_without_simulation_does_not_move() -> void:
 	await start()
 	await step(10)
 	field.simulation_enabled = false
@@ -70,7 +70,7 @@ func test_a_field_that_does_not_simulate_stands_still() -> void:
 	check_equal(all_tips(), before, "tips")
 
 
-func test_time_scale_0_stands_still() -> void:
+func test_time_scale_0_stops_motion() -> void:
 	await start()
 	await step(10)
 	Engine.time_scale = 0.0
@@ -141,7 +141,7 @@ func test_a_moved_field_keeps_the_winds_direction() -> void:
 	check_near(tip.z, 0.0, 0.02, "z")
 
 
-func test_monitors_tell_of_all_fields() -> void:
+func test_monitors_include_all_fields() -> void:
 	await start()
 	check_equal(
 		int(Performance.get_custom_monitor("undergrowth/field_plants")), field.get_plant_count()

@@ -50,14 +50,15 @@ func test_a_disabled_field_grows() -> void:
 	check_near(field.get_plant_count(), 1600, 60.0, "plants")
 
 
-func test_levels_and_looks_change_while_paused() -> void:
+func test_levels_and_styles_change_while_paused() -> void:
 	await start()
 	paused = true
 	field.levels = [PlantFieldLevel.of(5)]
 	field.species[0].species.color_deviation = 0.5
 	await frames(1)
 	await until(
-		func() -> bool: return not field.get_statistics()["is_rebuilding_meshes"], "it is dressed"
+		func() -> bool: return not field.get_statistics()["is_rebuilding_meshes"],
+		"its meshes are built"
 	)
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 1, "levels")
 

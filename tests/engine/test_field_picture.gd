@@ -128,7 +128,7 @@ func test_followers_of_prototypes_are_drawn() -> void:
 
 
 ## The build prepared its plants while their motion became too large.
-func test_a_filling_that_is_refused_draws_nothing() -> void:
+func test_a_refused_build_draws_nothing() -> void:
 	_field.wind = null
 	_field.species = [PlantFieldSpecies.of(TulipFunction.new())]
 	_field.size = Vector2(3, 3)
@@ -163,12 +163,12 @@ func test_a_follower_in_waves() -> void:
 	await _compare(function, Transform3D(Basis(Vector3.UP, 0.7), Vector3(0.1, 0, 0.2)))
 
 
-func test_followers_that_stand_still_look_alike_in_another_material() -> void:
-	await _check_followers_dressed(false)
+func test_followers_at_rest_are_equal_in_another_material() -> void:
+	await _check_follower_materials(false)
 
 
-func test_followers_of_a_preview_look_alike_in_another_material() -> void:
-	await _check_followers_dressed(true)
+func test_followers_of_a_preview_are_equal_in_another_material() -> void:
+	await _check_follower_materials(true)
 
 
 func test_a_follower_that_was_pushed() -> void:
@@ -187,7 +187,7 @@ func test_a_follower_that_was_pushed() -> void:
 
 ## Compares instances of prototypes in slow waves, each with its own delay, before and after they
 ## get an equal material. The field is at rest or in a [param preview].
-func _check_followers_dressed(preview: bool) -> void:
+func _check_follower_materials(preview: bool) -> void:
 	var function := TulipFunction.new()
 	function.material = StandardMaterial3D.new()
 	_field.species = [PlantFieldSpecies.of(function)]
@@ -216,7 +216,7 @@ func _check_followers_dressed(preview: bool) -> void:
 
 ## [param mown]: height in metres that it is mown to before.
 func _compare(
-	function: PlantFunction, place: Transform3D, blow := Vector3.ZERO, mown := 0.0
+	function: PlantFunction, place: Transform3D, impulse := Vector3.ZERO, mown := 0.0
 ) -> void:
 	while _field.is_building():  # The build can end at any time on a busy machine.
 		await process_frame
@@ -226,9 +226,9 @@ func _compare(
 		check_near(_field.get_plant_height(id), mown, 0.01, "height of the stubble")
 	RenderingServer.render_loop_enabled = false
 	await _settle()
-	if blow != Vector3.ZERO:
+	if impulse != Vector3.ZERO:
 		var before := _field.get_tip_position(id)
-		_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, blow)
+		_field.apply_impulse_in_sphere(Vector3.ZERO, 1.0, impulse)
 		await create_timer(0.3).timeout
 		check(_field.get_tip_position(id).distance_to(before) > 0.1, "the blow bends it")
 	_field.simulation_enabled = false

@@ -2,8 +2,10 @@
 extends "res://tests/engine/picture_harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
-const LOOK := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
-const MATERIALS := "docs/guide/materials.md"
+const STYLE := preload("res://addons/undergrowth/shaders/plant_parts.gdshader")
+const GUIDE := "docs/guide/"
+## Pages of the guide with shaders for leaves.
+const PAGES: Array[String] = ["materials.md", "leaves.md"]
 const STEP := 1.0 / 30.0
 ## Duration of a wind before its picture, in steps.
 const BLOWS := 300
@@ -33,8 +35,8 @@ func test_a_field_has_the_same_brightness_in_all_winds() -> void:
 	field.density = 40.0
 	field.simulation_enabled = false
 	field.material_override = ShaderMaterial.new()
-	var look: ShaderMaterial = field.material_override
-	look.shader = LOOK
+	var style: ShaderMaterial = field.material_override
+	style.shader = STYLE
 	stage.add_child(field)
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 2.0, 2.5), Vector3(0, 0.0, -0.5))
 	var calm := _mean_of(await _blown(field, "calm"))
@@ -43,10 +45,10 @@ func test_a_field_has_the_same_brightness_in_all_winds() -> void:
 		var shown := await _blown(field, name)
 		var change := _mean_of(shown) / calm - 1.0
 		check(absf(change) <= MAX_CHANGE, "%s: the mean changes by %.2f" % [name, change])
-		look.set_shader_parameter(&"bent_brightness", 0.0)
+		style.set_shader_parameter(&"bent_brightness", 0.0)
 		await frames(10)  # Fields copy parameters in turns.
 		var even := await picture()
-		look.set_shader_parameter(&"bent_brightness", null)
+		style.set_shader_parameter(&"bent_brightness", null)
 		await frames(10)
 		var lighter := _count_lighter(shown, even)
 		var darker := _count_lighter(even, shown)
@@ -108,11 +110,10 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 		&"season", RenderingServer.GLOBAL_VAR_TYPE_COLOR, Color.WHITE
 	)
 	var count := 0
-	for folder: String in ["../../..", "."]:
-		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(MATERIALS)
-		if not FileAccess.file_exists(path):
-			continue
-		for block in ShownCode.in_markdown(path, MATERIALS):
+	for page in PAGES:
+		var path := _find(GUIDE + page)
+		check(path != "", "%s is missing" % page)
+		for block in ShownCode.in_markdown(path, page):
 			if block.language != "gdshader":
 				continue
 			count += 1
@@ -121,10 +122,18 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 			leaf.material_override.shader.code = block.code
 			var light := _light_at(await picture(), MIDDLE)
 			check(light > 0.05, "%s draws a leaf: %.3f" % [block.place, light])
-		break
 	leaf.free()
 	RenderingServer.global_shader_parameter_remove(&"season")
 	check(count >= 2, "%d shaders" % count)
+
+
+# Returns the path of a file of the checkout, or "".
+func _find(file: String) -> String:
+	for folder: String in ["../../..", "."]:
+		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(file)
+		if FileAccess.file_exists(path):
+			return path
+	return ""
 
 
 func _blown(field: PlantField3D, name: String) -> Image:
@@ -140,14 +149,14 @@ func _blown(field: PlantField3D, name: String) -> Image:
 func _show(mesh: Mesh, parameters := {}) -> MeshInstance3D:
 	var leaf := MeshInstance3D.new()
 	leaf.mesh = mesh
-	var look := ShaderMaterial.new()
-	look.shader = LOOK
-	look.set_shader_parameter(&"patchiness", 0.0)
-	look.set_shader_parameter(&"clumpiness", 0.0)
-	look.set_shader_parameter(&"dead_leaves", 0.0)
+	var style := ShaderMaterial.new()
+	style.shader = STYLE
+	style.set_shader_parameter(&"patchiness", 0.0)
+	style.set_shader_parameter(&"clumpiness", 0.0)
+	style.set_shader_parameter(&"dead_leaves", 0.0)
 	for name: StringName in parameters:
-		look.set_shader_parameter(name, parameters[name])
-	leaf.material_override = look
+		style.set_shader_parameter(name, parameters[name])
+	leaf.material_override = style
 	stage.add_child(leaf)
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 0, 1.5), Vector3.ZERO)
 	return leaf

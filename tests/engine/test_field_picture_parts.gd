@@ -52,7 +52,7 @@ func test_leaves_on_a_slope_are_still_without_wind() -> void:
 	check_equal(count_different(before, after), 0, "pixels that changed")
 
 
-func test_leaves_move_in_steady_wind_and_stand_with_the_field() -> void:
+func test_leaves_move_in_steady_wind_and_stop_with_the_field() -> void:
 	var species := _tulip()
 	species.damping_ratio = 1.0
 	_field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], species)
@@ -60,7 +60,7 @@ func test_leaves_move_in_steady_wind_and_stand_with_the_field() -> void:
 	var before := await picture()
 	var still := await picture()
 	check_equal(
-		count_different(before, still), 0, "pixels that changed in a field that stands still"
+		count_different(before, still), 0, "pixels that changed in a field that does not move"
 	)
 	var maximum := 0
 	for i in 4:
@@ -103,7 +103,7 @@ func test_what_the_wind_bends_alone_is_not_lighter() -> void:
 	_check_unlit(await _pictures_by_light(plant.species), PlantFunction.LAW_SPRING)
 
 
-func test_who_rests_leaning_alone_is_not_lighter() -> void:
+func test_an_isolated_plant_that_rests_leaning_is_not_lighter() -> void:
 	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_SPRING, PlantFunction.LAW_STEM]:
 		var plant := await _plant_alone(law)
 		plant.species.lean = LEAN  # It is drawn already.
@@ -111,7 +111,7 @@ func test_who_rests_leaning_alone_is_not_lighter() -> void:
 		plant.free()
 
 
-func test_who_rests_leaning_in_a_field_is_not_lighter() -> void:
+func test_a_field_plant_that_rests_leaning_is_not_lighter() -> void:
 	_wind.strength = 0.0
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.4).scaled(Vector3.ONE * 2.5)
 	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_SPRING, PlantFunction.LAW_STEM]:

@@ -5,7 +5,7 @@ const STEP := 1.0 / 60.0
 ## Of an outline of about 400 pixels, with tips at 77 degrees: the accuracy of bones.
 const MAX_STEM_PIXELS := 100
 const MIN_SECOND_MODE_PIXELS := 40
-const STEPS_OF_BLOW := 9
+const STEPS_OF_IMPULSE := 9
 
 var _field: PlantField3D
 var _wind: PlantWind
@@ -56,7 +56,7 @@ func test_a_reed_of_two_modes() -> void:
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 15, 0.8, true)
 
 
-func test_a_reed_of_two_modes_that_nobody_pushes() -> void:
+func test_a_reed_of_two_modes_without_a_push() -> void:
 	var species := _reed()
 	species.stem.modes = 2
 	species.lean = deg_to_rad(15.0)
@@ -113,15 +113,15 @@ func test_a_follower_of_two_modes_that_was_pushed() -> void:
 	var id := await _add_follower()
 	_wind.strength = 0.0
 	_field._preview(STEP, _wind)
-	var blow := Vector3(0.12, 0.0, -0.08)
-	check_equal(_field.apply_impulse_in_sphere(_field.global_position, 1.0, blow), 1, "blown")
-	for i in STEPS_OF_BLOW:
+	var impulse := Vector3(0.12, 0.0, -0.08)
+	check_equal(_field.apply_impulse_in_sphere(_field.global_position, 1.0, impulse), 1, "blown")
+	for i in STEPS_OF_IMPULSE:
 		_field._preview(STEP, _wind)
 	var in_field := await picture()
 	var plant := await _hide_for_twin(id)
 	plant._preview(STEP, _wind)
-	plant.apply_impulse(blow)
-	for i in STEPS_OF_BLOW:
+	plant.apply_impulse(impulse)
+	for i in STEPS_OF_IMPULSE:
 		plant._preview(STEP, _wind)
 	await frames(2)
 	await _check_modes(plant, in_field, await picture())
@@ -182,7 +182,7 @@ func _reed() -> PlantFunction:
 
 
 ## Sets the strength of the wind (N) that bends the tip to about `slope`.
-func _blow(species: PlantFunction, slope: float) -> void:
+func _apply_wind(species: PlantFunction, slope: float) -> void:
 	var plant := Plant3D.new()
 	plant.species = species
 	plant.simulation_enabled = false
@@ -200,7 +200,7 @@ func _blow(species: PlantFunction, slope: float) -> void:
 func _compare(
 	species: PlantFunction, place: Transform3D, steps: int, slope: float, pushed := false
 ) -> void:
-	_blow(species, slope)
+	_apply_wind(species, slope)
 	var id := _field.add_plants([place], species)[0]
 	if pushed:
 		_field.apply_impulse_in_sphere(

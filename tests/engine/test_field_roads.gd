@@ -1,7 +1,7 @@
 ## Paths with a width: roads without plants, and beds with plants.
 extends "res://tests/engine/field_harness.gd"
 
-const LOOK := 10  # Frames between two polls of movement without a signal.
+const STYLE := 10  # Frames between two polls of movement without a signal.
 const WIDTH := 2.4
 const RING: Array[Vector3] = [
 	Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, 8), Vector3(-8, 0, 8), Vector3(-8, 0, -8)
@@ -87,20 +87,20 @@ func test_a_road_that_is_dragged_is_followed_where_it_goes() -> void:
 	field.exclusions = [add_path("Road", points)]
 	field.exclusion_widths = [WIDTH]
 	await start()
-	var told := [0, 0]
-	field.build_progressed.connect(func(_ratio: float) -> void: told[0] += 1)
-	field.build_finished.connect(func() -> void: told[1] += 1)
+	var reported := [0, 0]
+	field.build_progressed.connect(func(_ratio: float) -> void: reported[0] += 1)
+	field.build_finished.connect(func() -> void: reported[1] += 1)
 	var road := field.get_node("Road") as Path3D
 	for i in 12:
 		points[1].z -= 1.0
 		road.curve.set_point_position(1, points[1])
 		await frames(i % 4)
 	await rested()
-	check_equal(told[0], 0, "it was never filled as a whole")
-	check(told[1] > 0, "it tells that all stands")
+	check_equal(reported[0], 0, "it was never filled as a whole")
+	check(reported[1] > 0, "it reports that all exists")
 	road.position.x = 1.5
 	field.exclusion_widths = [WIDTH + 1.0]
-	await frames(LOOK)
+	await frames(STYLE)
 	await rested()
 	for place in _places():
 		var away := _away(place - Vector3(1.5, 0, 0), points)
@@ -108,7 +108,7 @@ func test_a_road_that_is_dragged_is_followed_where_it_goes() -> void:
 	var edited := _described()
 	field.rebuild()
 	await filled(field)
-	check(told[0] > 0, "it is filled as a whole then")
+	check(reported[0] > 0, "it is filled as a whole then")
 	check_equal(_described(), edited, "and the same as before")
 
 
@@ -135,7 +135,7 @@ func test_a_road_on_a_painted_field_and_where_it_streams_is_followed() -> void:
 	camera.free()
 
 
-func test_a_change_that_changes_nothing_is_told_of_as_filled() -> void:
+func test_a_change_without_effect_emits_build_finished() -> void:
 	field.exclusions = [add_path("Road", [Vector3(-40, 0, 3), Vector3(40, 0, 3)])]
 	field.exclusion_widths = [WIDTH]
 	await start()

@@ -19,7 +19,7 @@ func after_each() -> void:
 		_stage.free()
 
 
-func test_a_box_of_the_world_holds_the_plants_that_stand_in_it() -> void:
+func test_a_world_box_contains_the_plants_in_it() -> void:
 	_place_askew()
 	await start()
 	var box := AABB(Vector3(27, 0, -22), Vector3(6, 20, 7))
@@ -33,7 +33,7 @@ func test_a_box_of_the_world_holds_the_plants_that_stand_in_it() -> void:
 	check_equal(found, expected, "plants in the box")
 
 
-func test_a_sphere_of_the_world_holds_the_plants_that_stand_in_it() -> void:
+func test_a_world_sphere_contains_the_plants_in_it() -> void:
 	_place_askew()
 	await start()
 	var center := Vector3(30, 5, -20)
@@ -64,7 +64,7 @@ func test_a_sphere_of_the_world_is_one_in_an_unevenly_scaled_field() -> void:
 	check_equal(found, expected, "plants in the sphere")
 
 
-func test_a_blow_bends_plants_its_way_in_a_turned_field() -> void:
+func test_an_impulse_bends_plants_along_it_in_a_turned_field() -> void:
 	field.density = 0.0
 	field.simulation_enabled = true
 	field.transform = Transform3D(Basis(Vector3.UP, 1.9).scaled(Vector3.ONE * 2), Vector3(9, 0, 4))
@@ -111,7 +111,7 @@ func test_a_field_that_moves_takes_its_plants_and_their_motion_along() -> void:
 	var tips := field.get_tip_positions(ids)
 	_place_askew()
 	await frames(12)
-	check(not field.is_building(), "nothing grows anew")
+	check(not field.is_building(), "nothing is rebuilt")
 	check_equal(field.get_plant_ids(), ids, "plants")
 	check_equal(field.get_tip_positions(ids), tips, "tips in the field's axes")
 
@@ -150,12 +150,12 @@ func test_fields_of_any_scale_draw_all_their_plants() -> void:
 				"%d primitives for %d plants in range, scale %f" % [seen, within, scale]
 			)
 			check(seen > 0 and seen < fewest, "some are too far: %d of %d" % [seen, fewest])
-			var told: int = field.get_statistics()["drawn_by_level"][0]
-			check_equal(seen, told * _primitives_of(2), "what statistics tell, scale %f" % scale)
+			var reported: int = field.get_statistics()["drawn_by_level"][0]
+			check_equal(seen, reported * _primitives_of(2), "the statistics, scale %f" % scale)
 			field.free()
 
 
-func test_a_field_that_is_scaled_while_it_stands_draws_all_within_its_range() -> void:
+func test_a_built_field_that_is_scaled_draws_all_within_its_range() -> void:
 	_make_stage()
 	field.species = [PlantFieldSpecies.of(GrassFunction.new())]
 	field.size = Vector2(24, 24)
@@ -220,10 +220,12 @@ func _place_askew() -> void:
 
 
 func _count_within(distance: float) -> int:
-	var eye := _stage.get_camera_3d().global_position
+	var camera_position := _stage.get_camera_3d().global_position
 	var count := 0
 	for transform in field.get_plant_transforms(field.get_plant_ids()):
-		count += 1 if field.to_global(transform.origin).distance_to(eye) < distance else 0
+		count += (
+			1 if field.to_global(transform.origin).distance_to(camera_position) < distance else 0
+		)
 	return count
 
 

@@ -5,12 +5,12 @@ extends "res://tests/engine/picture_harness.gd"
 const MAX_DIFFERENT_SHARE := 0.005
 
 var _field: PlantField3D
-var _told: Array[String] = []
+var _reported: Array[String] = []
 
 
 func before_each() -> void:
 	make_stage()
-	_told = []
+	_reported = []
 	_field = PlantField3D.from_species([TulipFunction.new(), GrassFunction.new()])
 	_field.size = Vector2(4, 4)
 	_field.density = 12.0
@@ -31,7 +31,7 @@ func after_each() -> void:
 	stage.free()
 
 
-func test_no_plant_is_a_skeleton_unless_asked_for() -> void:
+func test_no_plant_is_a_skeleton_by_default() -> void:
 	await frames(20)
 	check_equal(_field.get_skeletons().size(), 0)
 	check(_field.get_skeleton(_field.get_plant_ids()[0]) == null, "no skeleton")
@@ -43,19 +43,19 @@ func test_the_nearest_plants_become_skeletons() -> void:
 	await frames(60)
 	check_equal(_field.get_skeletons().size(), 20)
 	check_equal(_field.get_statistics()["skeletons"], 20)
-	var eye := stage.get_camera_3d().global_position
+	var camera_position := stage.get_camera_3d().global_position
 	var farthest := 0.0
 	for skeleton: Skeleton3D in _field.get_skeletons():
-		farthest = maxf(farthest, skeleton.global_position.distance_to(eye))
+		farthest = maxf(farthest, skeleton.global_position.distance_to(camera_position))
 		var id := _field.get_skeleton_plant(skeleton)
 		check_equal(_field.get_skeleton(id), skeleton, "skeleton of plant %d" % id)
 		check(
 			skeleton.transform.is_equal_approx(_field.get_plant_transform(id)),
-			"it stands where plant %d does" % id
+			"it is where plant %d is" % id
 		)
 	var nearer := 0
 	for transform in _field.get_plant_transforms(_field.get_plant_ids()):
-		var away := transform.origin.distance_to(eye)
+		var away := transform.origin.distance_to(camera_position)
 		nearer += 1 if away < farthest / 1.1 else 0
 	check(nearer <= 20, "%d plants are nearer than the farthest skeleton" % nearer)
 
@@ -88,7 +88,7 @@ func test_skeletons_are_as_transparent_as_their_field() -> void:
 			check_near(drawn.transparency, wanted, 1e-6, "transparency")
 
 
-func test_nobody_sees_a_skeleton_come_or_go() -> void:
+func test_skeletons_appear_and_disappear_unseen() -> void:
 	_field.simulation_enabled = false
 	await frames(3)
 	var before := await picture()
@@ -104,7 +104,7 @@ func test_nobody_sees_a_skeleton_come_or_go() -> void:
 	check_equal(count_different(before, after), 0, "pixels that differ after them")
 
 
-func test_nobody_sees_skeletons_of_plants_that_follow_prototypes() -> void:
+func test_skeletons_of_followers_appear_unseen() -> void:
 	var count := _field.get_plant_count()
 	_field.prototypes = 4
 	await settled(_field)
@@ -165,18 +165,18 @@ func test_a_shader_of_fields_fits_skeletons_and_single_plants() -> void:
 	_check_same(before, await picture())
 
 
-func test_signals_tell_of_skeletons_and_attached_nodes_go_with_them() -> void:
-	_field.skeleton_shown.connect(_tell_shown)
+func test_skeletons_are_signalled_and_attached_nodes_move_with_them() -> void:
+	_field.skeleton_shown.connect(_report_shown)
 	_field.skeleton_hidden.connect(
 		func(skeleton: Skeleton3D) -> void:
-			_told.append("hidden %d" % _field.get_skeleton_plant(skeleton))
+			_reported.append("hidden %d" % _field.get_skeleton_plant(skeleton))
 	)
 	_field.max_skeletons = 1
 	_field.skeleton_distance = 7.0
 	await frames(10)
-	check_equal(_told.size(), 1, "signals")
+	check_equal(_reported.size(), 1, "signals")
 	var skeleton: Skeleton3D = _field.get_skeletons()[0]
-	check_equal(_told[0], "shown %d" % _field.get_skeleton_plant(skeleton))
+	check_equal(_reported[0], "shown %d" % _field.get_skeleton_plant(skeleton))
 	var lamp := skeleton.get_node("Lamp")
 	await frames(10)
 	_field.simulation_enabled = false
@@ -186,8 +186,8 @@ func test_signals_tell_of_skeletons_and_attached_nodes_go_with_them() -> void:
 	check_near(light.global_position, tip, 0.05, "the light hangs at the plant's tip")
 	_field.skeleton_distance = 0.0
 	await frames(3)
-	check_equal(_told.size(), 2, "signals")
-	check_equal(_told[1], "hidden -1")
+	check_equal(_reported.size(), 2, "signals")
+	check_equal(_reported[1], "hidden -1")
 	check(not is_instance_valid(lamp), "the lamp is gone")
 	check_equal(_field.get_skeletons().size(), 0)
 
@@ -221,7 +221,7 @@ func test_skeletons_follow_what_happens_to_their_field() -> void:
 	_field.seed = 3
 	await _field.build_finished
 	await frames(60)
-	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "skeletons anew")
+	check_equal(_field.get_skeletons().size(), _field.get_plant_count(), "new skeletons")
 
 
 func test_skeletons_are_neither_saved_nor_copied() -> void:
@@ -249,8 +249,8 @@ func _check_same(before: Image, during: Image) -> void:
 	)
 
 
-func _tell_shown(skeleton: Skeleton3D) -> void:
-	_told.append("shown %d" % _field.get_skeleton_plant(skeleton))
+func _report_shown(skeleton: Skeleton3D) -> void:
+	_reported.append("shown %d" % _field.get_skeleton_plant(skeleton))
 	var lamp := BoneAttachment3D.new()
 	lamp.name = "Lamp"
 	lamp.bone_name = "tip"

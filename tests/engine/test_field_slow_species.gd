@@ -63,26 +63,26 @@ func after_each() -> void:
 		_field = null
 
 
-func test_a_frame_asks_for_one_slow_plant_at_most() -> void:
+func test_a_frame_samples_at_most_one_slow_plant() -> void:
 	Slow.asked.clear()
 	await _grow_field([Slow.new(), Slow.new()])
 	check_equal(Slow.asked.size(), 10, "asks of two species with four variants and a stem")
 	check_equal(_max_per_frame(Slow.asked), 1, "asks in a frame")
-	check(_field.get_plant_count() > 0, "plants stand")
+	check(_field.get_plant_count() > 0, "plants exist")
 
 
-func test_a_frame_asks_for_one_slow_stem_at_most() -> void:
+func test_a_frame_samples_at_most_one_slow_stem() -> void:
 	SlowStem.asked.clear()
 	await _grow_field([SlowStem.new()])
 	check(_max_per_frame(SlowStem.asked) <= 4, "only one variant's levels in a frame")
-	check(_field.get_plant_count() > 0, "plants stand")
+	check(_field.get_plant_count() > 0, "plants exist")
 
 
-func test_quick_scripts_are_asked_at_once() -> void:
+func test_quick_scripts_are_sampled_at_once() -> void:
 	Quick.asked.clear()
 	await _grow_field([Quick.new()])
 	check_equal(Quick.asked.size(), 5, "asks of four variants and a stem")
-	check_equal(_field.get_plant_count() > 0, true, "plants stand")
+	check_equal(_field.get_plant_count() > 0, true, "plants exist")
 
 
 func test_a_species_of_more_detail_has_more_segments_at_each_level() -> void:
@@ -98,7 +98,7 @@ func test_a_species_of_more_detail_has_more_segments_at_each_level() -> void:
 	check(not Stem.asked.has(3), "not those of the levels: %s" % [Stem.asked])
 
 
-func test_a_field_that_is_still_asking_is_filling() -> void:
+func test_a_field_that_samples_species_is_building() -> void:
 	_field = _make_field([Slow.new()])
 	root.add_child(_field)
 	await frames(1)
@@ -107,10 +107,10 @@ func test_a_field_that_is_still_asking_is_filling() -> void:
 	await _field.build_finished
 	await frames(1)
 	check(not _field.is_building(), "afterwards")
-	check(_field.get_plant_count() > 0, "plants stand")
+	check(_field.get_plant_count() > 0, "plants exist")
 
 
-func test_a_field_may_go_while_it_asks() -> void:
+func test_a_field_may_be_freed_while_it_samples_species() -> void:
 	_field = _make_field([Slow.new()])
 	root.add_child(_field)
 	await frames(1)
@@ -120,7 +120,7 @@ func test_a_field_may_go_while_it_asks() -> void:
 	check(true, "nothing crashed")
 
 
-func test_plants_added_while_it_asks_stand_afterwards() -> void:
+func test_plants_added_while_species_are_sampled_stay() -> void:
 	_field = _make_field([Slow.new()])
 	root.add_child(_field)
 	await frames(1)
@@ -130,7 +130,7 @@ func test_plants_added_while_it_asks_stand_afterwards() -> void:
 	check(_field.has_plant(added[0]), "the added plant")
 
 
-func test_a_species_that_is_listed_without_a_share_is_asked_before_it_is_added() -> void:
+func test_a_species_of_weight_0_is_sampled_before_it_is_added() -> void:
 	Slow.asked.clear()
 	var slow := Slow.new()
 	_field = _make_field([GrassFunction.new(), slow])
@@ -145,7 +145,7 @@ func test_a_species_that_is_listed_without_a_share_is_asked_before_it_is_added()
 	check_equal(Slow.asked.size(), before, "asks")
 
 
-func test_a_script_that_grows_for_a_second_is_told_once() -> void:
+func test_a_slow_script_is_reported_once() -> void:
 	var species := Long.new()
 	species.resource_name = "Sleepyhead"
 	species.generate_mesh(0.0, 3, 1)

@@ -2,12 +2,12 @@
 extends "res://tests/engine/field_stem_harness.gd"
 
 
-func test_a_blow_wakes_the_second_mode_of_a_field_and_its_state_comes_back() -> void:
+func test_an_impulse_starts_the_second_mode_and_its_state_is_restored() -> void:
 	field.species[0].species.stem.modes = 2
 	await start()
 	await step(20)
 	var id := field.get_plant_ids()[7]
-	check_equal(_second_of(id), 0.0, "second mode of a field that nobody pushes")
+	check_equal(_second_of(id), 0.0, "second mode of a field without a push")
 	var place := field.get_plant_transform(id).origin
 	field.apply_impulse_in_sphere(place, 0.01, Vector3(0.003, 0, 0))
 	await step(4)

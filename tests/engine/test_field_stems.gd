@@ -25,7 +25,7 @@ func test_a_low_body_pushes_the_stem_where_it_touches() -> void:
 	check(relative_tip(id).distance_to(Vector3(0, HEIGHT, 0)) < 0.02, "it comes back")
 
 
-func test_a_low_body_pushes_a_plant_that_stands_alone() -> void:
+func test_a_low_body_pushes_an_isolated_plant() -> void:
 	await start()
 	var plant := Plant3D.new()
 	plant.species = _reed()
@@ -159,7 +159,7 @@ func test_what_stems_are_made_of_keeps_plants_and_their_motion() -> void:
 	species.stem.density = 900.0
 	species.stem.modes = 2
 	await frames(3)
-	check(not field.is_building(), "the field is not filled anew")
+	check(not field.is_building(), "the field is not rebuilt")
 	check_equal(field.get_plant_ids(), ids, "ids")
 	check_equal(count_moved(before, 0.02), 0, "tips that jump")
 	species.stem.joints = 7
@@ -168,18 +168,18 @@ func test_what_stems_are_made_of_keeps_plants_and_their_motion() -> void:
 	check_equal(count_moved(before, 0.02), 0, "tips that jump with other joints")
 
 
-func test_a_field_of_stems_that_cannot_stand_is_told_of_once() -> void:
+func test_a_field_of_stems_that_buckle_is_reported_once() -> void:
 	field.species[0].species.stem.youngs_modulus = 1e5
 	await start()
 	await step(30)
 	check_error("The stem falls under its own weight")
-	check(field.get_plant_count() > 400, "%d plants stand" % field.get_plant_count())
+	check(field.get_plant_count() > 400, "%d plants exist" % field.get_plant_count())
 	for tip in all_tips():
 		if not tip.is_finite():
 			check(false, "a tip is finite")
 
 
-func test_stems_that_change_while_a_field_fills_move_as_they_are_then() -> void:
+func test_stems_changed_during_a_build_move_by_their_new_values() -> void:
 	var stiff := _reed()
 	stiff.natural_frequency = 3.0
 	var twin := await start_with_twin({"species": [PlantFieldSpecies.of(stiff)]})

@@ -40,7 +40,7 @@ class Game:
 
 
 ## At least one of many strokes starts with idle threads, also on a busy machine.
-func test_a_stroke_is_placed_stands_and_is_shown_in_one_frame() -> void:
+func test_a_stroke_is_placed_and_shown_in_one_frame() -> void:
 	var game := Game.new()
 	root.add_child(game)
 	_fill_all(0.6)
@@ -57,21 +57,21 @@ func test_a_stroke_is_placed_stands_and_is_shown_in_one_frame() -> void:
 	game.free()
 
 
-func test_newcomers_that_are_erased_are_drawn_no_more() -> void:
+func test_erased_new_plants_are_not_drawn() -> void:
 	field.map = map
 	root.add_child(field)
 	await rested()
 	map.paint(Vector3(3, 0, 3), 3.0, TULIP, 1.0, 0.0)
 	await rested()
-	check_equal(_drawn(), field.get_plant_count(), "newcomers are drawn")
-	check(field.get_plant_count() > 50, "%d newcomers" % field.get_plant_count())
+	check_equal(_drawn(), field.get_plant_count(), "new plants are drawn")
+	check(field.get_plant_count() > 50, "%d new plants" % field.get_plant_count())
 	map.erase(Vector3(3, 0, 3), 4.0, TULIP, 1.0, 0.0)
 	await rested()
 	check_equal(field.get_plant_count(), 0, "plants")
 	check_equal(_drawn(), 0, "plants that are drawn")
 
 
-func test_the_same_plants_stand_after_strokes_as_where_it_is_filled_at_once() -> void:
+func test_strokes_give_the_same_plants_as_one_build() -> void:
 	_fill_all(0.5)
 	field.map = map
 	await start()
@@ -135,7 +135,7 @@ func test_what_was_mown_stays_so_beside_a_stroke() -> void:
 	check_equal(field.find_plants_in_sphere(Vector3(6, 0, 0), 1.6).size(), 0, "plants erased")
 
 
-func test_strokes_while_it_is_filled_are_not_lost() -> void:
+func test_strokes_during_a_build_are_not_lost() -> void:
 	_fill_all(0.3)
 	field.map = map
 	root.add_child(field)
@@ -158,7 +158,7 @@ func test_strokes_while_it_is_filled_are_not_lost() -> void:
 		check_equal(plants.get(id), edited[id], "plant %d" % id)
 
 
-func test_newcomers_stand_on_colliders() -> void:
+func test_new_plants_follow_colliders() -> void:
 	var ground := add_plate(100.0, 2.5)
 	field.ground_mode = PlantField3D.GROUND_COLLIDERS
 	field.map = map

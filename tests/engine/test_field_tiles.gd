@@ -20,14 +20,14 @@ func after_each() -> void:
 	await process_frame
 
 
-func test_what_is_near_stands_as_if_all_did() -> void:
+func test_near_plants_equal_those_of_a_whole_build() -> void:
 	var whole := _make_field()
 	whole.view_distance = 0.0
 	root.add_child(whole)
 	await whole.build_finished
 	await start()
 	await _streamed()
-	check(field.get_plant_count() < whole.get_plant_count() / 2, "not all stand")
+	check(field.get_plant_count() < whole.get_plant_count() / 2, "not all exist")
 	_check_same_around(whole)
 	_camera.position.x = 45.0
 	await _streamed()
@@ -122,7 +122,7 @@ func test_what_is_left_behind_is_in_nobodys_way() -> void:
 	check_equal(_count_in_the_way(middles), 0, "of %d plants" % middles.size())
 
 
-func test_who_was_removed_or_mown_is_so_when_one_comes_back() -> void:
+func test_edits_are_restored_when_a_tile_returns() -> void:
 	await start()
 	await _streamed()
 	var cut := field.remove_in_sphere(Vector3(3, 0, 0), 3.0)
@@ -137,12 +137,12 @@ func test_who_was_removed_or_mown_is_so_when_one_comes_back() -> void:
 	check_equal(
 		field.find_plants_in_sphere(Vector3(3, 0, 0), 3.0).size(), 0, "plants that come back"
 	)
-	check(field.has_plant(id), "the mown one stands again")
+	check(field.has_plant(id), "the mown one exists again")
 	await step(2)
 	check_near(relative_tip(id).length(), 0.1, 0.002, "as high as it was mown")
 
 
-func test_an_endless_field_stands_wherever_somebody_is() -> void:
+func test_an_endless_field_has_plants_around_every_camera() -> void:
 	field.endless = true
 	field.streaming_targets = [NodePath("Target")]
 	var target := Node3D.new()
@@ -161,7 +161,7 @@ func test_an_endless_field_stands_wherever_somebody_is() -> void:
 	check_equal(field.find_plants_in_sphere(Vector3(5000, 0, -3000), 20.0).size(), 0, "left behind")
 
 
-func test_a_scaled_field_has_its_plants_as_far_as_the_world_says() -> void:
+func test_a_scaled_field_has_plants_up_to_the_world_distance() -> void:
 	field.endless = true
 	for scale_of_field: Vector3 in [Vector3.ONE * 0.5, Vector3(2.0, 1.0, 0.4)]:
 		field.rotation.y = 0.7
@@ -177,7 +177,7 @@ func test_a_scaled_field_has_its_plants_as_far_as_the_world_says() -> void:
 		check_near(near, area * field.density, 0.05 * area * field.density, "plants around it")
 
 
-func test_endless_without_a_view_distance_is_told() -> void:
+func test_endless_without_a_view_distance_is_reported() -> void:
 	field.view_distance = 0.0
 	field.endless = true
 	root.add_child(field)
@@ -189,7 +189,7 @@ func test_endless_without_a_view_distance_is_told() -> void:
 	check(field.get_plant_count() > 1000, "%d plants" % field.get_plant_count())
 
 
-func test_plants_of_a_changed_property_stand_around_whoever_looks() -> void:
+func test_changed_plants_appear_around_the_camera_first() -> void:
 	await start()
 	await _streamed()
 	field.density = 4.0
@@ -213,27 +213,25 @@ func test_plants_of_a_changed_property_stand_around_whoever_looks() -> void:
 	check_near(field.find_plants_in_sphere(Vector3.ZERO, 28.0).size(), near, 0.0, "then")
 	field.view_distance = 0.0
 	await rested()
-	check_near(field.get_plant_count(), 4.0 * 120.0 * 120.0, 1500.0, "all stand")
+	check_near(field.get_plant_count(), 4.0 * 120.0 * 120.0, 1500.0, "all exist")
 
 
-func test_what_is_painted_comes_where_it_stands_and_where_it_will() -> void:
+func test_painted_plants_appear_in_present_and_future_tiles() -> void:
 	field.map = PlantMap.new()
 	field.map.paint(Vector3(0, 0, 0), 100.0, field.species[0].get_layer_name(), 1.0)
 	await start()
 	await _streamed()
 	var count := field.find_plants_in_sphere(Vector3(8, 0, 8), 4.0).size()
-	check(count > 20, "%d stand" % count)
+	check(count > 20, "%d exist" % count)
 	field.map.erase(Vector3(8, 0, 8), 6.0, "", 1.0, 0.0)
 	field.map.erase(Vector3(60, 0, 0), 6.0, "", 1.0, 0.0)
 	await rested()
 	await _streamed()
-	check_equal(
-		field.find_plants_in_sphere(Vector3(8, 0, 8), 4.0).size(), 0, "erased where it stands"
-	)
+	check_equal(field.find_plants_in_sphere(Vector3(8, 0, 8), 4.0).size(), 0, "erased where it is")
 	_camera.position.x = 60.0
 	await _streamed()
 	check_equal(field.find_plants_in_sphere(Vector3(60, 0, 0), 4.0).size(), 0, "and where it comes")
-	check(field.find_plants_in_sphere(Vector3(70, 0, 0), 3.0).size() > 10, "beside it plants stand")
+	check(field.find_plants_in_sphere(Vector3(70, 0, 0), 3.0).size() > 10, "plants exist beside it")
 
 
 func test_a_walk_over_ground_in_wind_leaves_nothing_behind() -> void:
@@ -255,9 +253,9 @@ func test_a_walk_over_ground_in_wind_leaves_nothing_behind() -> void:
 			field.species[0].species.natural_frequency *= 1.1
 	await _streamed()
 	var area := PI * (DISTANCE + 3.0 * TILE) ** 2
-	check(maximum < area * field.density, "%d stand at most" % maximum)
+	check(maximum < area * field.density, "at most %d exist" % maximum)
 	var nearest := field.find_nearest_plant(_camera.position + Vector3(9, 1, 0), 5.0)
-	check(nearest >= 0, "somebody stands there")
+	check(nearest >= 0, "a plant is there")
 	check_near(field.get_plant_transform(nearest).origin.y, 3.0, 0.01, "on the ground")
 	ground.free()
 

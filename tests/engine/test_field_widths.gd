@@ -65,7 +65,7 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 	check_near(float(coarse), float(fine), 0.35 * fine, "pixels of few leaves from above")
 
 
-func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
+func test_widened_far_plants_are_not_brighter() -> void:
 	_sow(load(OXEYE_DAISY), 40.0, 1.5)
 	var whole := _brightest(await picture())
 	_field.levels[0].density = 0.4
@@ -74,7 +74,7 @@ func test_plants_that_stand_for_others_are_no_brighter_dots() -> void:
 	check(thinned < 0.95 * whole, "%.2f after %.2f" % [thinned, whole])
 
 
-func test_what_shines_least_is_not_darker_for_others() -> void:
+func test_dull_parts_are_not_darkened_by_shiny_ones() -> void:
 	# Colours blend to the plant's own mean, not to black.
 	_sow(load(MEADOW_GRASS), 60.0, 1.2)
 	var whole := _mean_light(await picture())

@@ -4,7 +4,7 @@ extends "res://tests/engine/settling_harness.gd"
 const FIELDS := 6
 
 
-func test_fields_that_begin_together_all_stand() -> void:
+func test_fields_that_build_together_all_finish() -> void:
 	var fields: Array[PlantField3D] = []
 	for i in FIELDS:
 		var field := PlantField3D.from_species([GrassFunction.new(), TulipFunction.new()])

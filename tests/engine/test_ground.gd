@@ -17,7 +17,8 @@ func test_colour_of_a_field_is_that_of_its_plants() -> void:
 	var litter := _color_of({"meadow_grass": 1.0, "dead_leaves": 1.0})
 	var brown := _color_of({"dead_leaves": 1.0})
 	check(brown.r > brown.g, "dead leaves are brown: %s" % brown)
-	check(absf(litter.r - grass.r) < 0.3 * absf(brown.r - grass.r), "grass hides dead leaves")
+	var red := litter.r / litter.g - grass.r / grass.g
+	check(red < 0.3 * (brown.r / brown.g - grass.r / grass.g), "grass hides dead leaves")
 
 
 func test_translucency_is_that_of_the_parts() -> void:
@@ -28,6 +29,14 @@ func test_translucency_is_that_of_the_parts() -> void:
 	Ground3D.apply_color(material, _make_field({"twigs": 1.0}))
 	var wood: float = material.get_shader_parameter(&"field_translucency")
 	check(wood < 0.1, "twigs: %f" % wood)
+
+
+func test_colour_of_plants_without_parts() -> void:
+	var material := ShaderMaterial.new()
+	Ground3D.apply_color(material, PlantField3D.from_species([GrassFunction.new()]))
+	var grass: Color = material.get_shader_parameter(&"field_color")
+	check(grass.g > grass.r and grass.g > grass.b, "grass is green: %s" % grass)
+	check_equal(material.get_shader_parameter(&"field_translucency"), 0.0, "light through a stem")
 
 
 func test_density_is_a_picture_of_the_plants() -> void:
@@ -52,6 +61,25 @@ func test_density_is_a_picture_of_the_plants() -> void:
 	var bare := _at(mask, area, Vector2(9, -3))
 	check(grown > 0.8, "among plants: %f" % grown)
 	check(bare < 0.1, "where they were removed: %f" % bare)
+
+
+func test_density_of_a_field_outside_the_tree_is_one_error() -> void:
+	field = _make_field({"wheat": 1.0})
+	var material := ShaderMaterial.new()
+	Ground3D.apply_density(material, field)
+	check_error("needs the field in the tree")
+	check_equal(material.get_shader_parameter(&"field_mask"), null, "density")
+
+
+func test_density_of_plants_at_absurd_distances() -> void:
+	field = PlantField3D.new()
+	root.add_child(field)
+	await frames(2)
+	var far := Transform3D(Basis.IDENTITY, Vector3(1e30, 0.0, 0.0))
+	field.add_plants([Transform3D.IDENTITY, far], GrassFunction.new())
+	var material := ShaderMaterial.new()
+	Ground3D.apply_density(material, field)
+	check(material.get_shader_parameter(&"field_mask") is ImageTexture, "there is a picture")
 
 
 func test_a_ground_changes_a_copy_of_its_material() -> void:

@@ -33,7 +33,7 @@ func test_ground_beyond_the_last_plants_continues_their_colour() -> void:
 
 
 func test_bare_ground_shows_where_the_field_ends() -> void:
-	await _make_stage("meadow_grass")
+	await _make_stage("meadow_grass", "field_soil")
 	var field: PlantField3D = _ground.get(&"field")
 	var shown := await picture()
 	var continued := _mean(shown, END + 8.0, END + 20.0)

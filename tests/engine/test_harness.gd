@@ -22,7 +22,7 @@ func test_equal_compares_types_too() -> void:
 	_expect_failure(func() -> void: check_equal("a", "b"))
 
 
-func test_near_knows_numbers_vectors_and_colors() -> void:
+func test_near_compares_numbers_vectors_and_colors() -> void:
 	check_near(1.0, 1.001, 0.01)
 	check_near(Vector3(1, 2, 3), Vector3(1, 2, 3.001), 0.01)
 	check_near(Color.RED, Color(1, 0.001, 0), 0.01)
@@ -68,7 +68,7 @@ func test_tasks_in_a_queue_do_not_hold_the_engine_at_its_exit() -> void:
 	var last := 0
 	for i in 2 * OS.get_processor_count():
 		last = WorkerThreadPool.add_task(OS.delay_msec.bind(100))
-	check(not WorkerThreadPool.is_task_completed(last), "the last task still stands in the queue")
+	check(not WorkerThreadPool.is_task_completed(last), "the last task is still in the queue")
 
 
 ## Checks that [param checks] fails exactly once, and removes that failure.

@@ -33,12 +33,12 @@ func test_a_species_of_its_own_file_is_called_by_it() -> void:
 	check_error("GrassFunction '%s': mass cannot be" % _species)
 
 
-func test_a_species_that_nothing_is_known_of_is_called_by_its_class() -> void:
+func test_a_species_without_a_name_is_named_by_its_class() -> void:
 	PlantFunction.new().mass = NAN
 	check_error("PlantFunction: mass cannot be")
 
 
-func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
+func test_an_error_in_a_file_is_reported_once_with_that_file() -> void:
 	_write_faulty_file()
 	var tulip: TulipFunction = load(_species)
 	await frames(2)
@@ -46,10 +46,10 @@ func test_a_fault_in_a_file_is_told_once_with_that_file() -> void:
 	check_equal(
 		tulip.natural_frequency, TulipFunction.new().natural_frequency, "it keeps its value"
 	)
-	check_equal(tulip.mass, 2.0, "what stands below is read")
+	check_equal(tulip.mass, 2.0, "what follows is read")
 
 
-func test_a_fault_in_a_file_is_told_even_if_nobody_keeps_what_was_read() -> void:
+func test_an_error_in_a_file_is_reported_even_if_the_resource_is_freed() -> void:
 	await frames(2)  # Waits until the resources of the last test are freed.
 	_write_faulty_file()
 	load(_species)
@@ -57,7 +57,7 @@ func test_a_fault_in_a_file_is_told_even_if_nobody_keeps_what_was_read() -> void
 	check_error_count("natural_frequency cannot be -3.0", 1)
 
 
-func test_a_fault_in_a_file_that_another_one_needs_is_told_with_that_file() -> void:
+func test_an_error_in_a_dependency_is_reported_with_its_file() -> void:
 	_write_faulty_file()
 	_write(
 		SCENE,
@@ -75,7 +75,7 @@ func test_a_fault_in_a_file_that_another_one_needs_is_told_with_that_file() -> v
 	check(rose != null, "the scene is there")
 
 
-func test_a_scripts_own_fault_is_told_at_once() -> void:
+func test_a_scripts_own_error_is_reported_at_once() -> void:
 	var tulip := TulipFunction.new()
 	tulip.natural_frequency = -3.0
 	check_error_count("TulipFunction: natural_frequency cannot be -3.0", 1)
@@ -94,7 +94,7 @@ func test_a_species_embedded_in_a_scene_is_called_by_its_name() -> void:
 	check_error("TulipFunction 'Red' in '%s': mass cannot be" % SCENE)
 
 
-func test_a_species_embedded_in_a_scene_is_called_by_the_scene_at_least() -> void:
+func test_a_species_embedded_in_a_scene_is_named_by_the_scene() -> void:
 	_embedded(TulipFunction.new()).mass = NAN
 	check_error("TulipFunction in '%s': mass cannot be" % SCENE)
 

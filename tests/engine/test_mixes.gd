@@ -20,7 +20,7 @@ const MAX_DIFFERENCE := 2.0
 const MAX_PLANTS := 9500
 
 
-func test_every_mix_grows_what_it_says() -> void:
+func test_every_mix_grows_its_species() -> void:
 	var files := DirAccess.get_files_at(FOLDER)
 	check(files.size() >= 5, "%d mixes" % files.size())
 	for file in files:
@@ -29,7 +29,7 @@ func test_every_mix_grows_what_it_says() -> void:
 		_check_what_it_says(file)
 		_draw_coarsely()
 		await start()
-		_check_what_stands(file)
+		_check_plants(file)
 		field.free()
 
 
@@ -68,7 +68,7 @@ func _check_what_it_says(file: String) -> void:
 		check(listed.species != null, file + " has all of its species")
 
 
-func _check_what_stands(file: String) -> void:
+func _check_plants(file: String) -> void:
 	var counts: Dictionary[PlantFunction, int] = {}
 	for id in field.get_plant_ids():
 		var species := field.get_plant_species(id)
@@ -81,5 +81,7 @@ func _check_what_stands(file: String) -> void:
 	for listed in field.species:
 		var wanted := listed.weight * listed.density_factor / sum
 		var apart: float = counts.get(listed.species, 0) / total / wanted
-		var told := "%s: %s is %.2f times its share" % [file, listed.species.resource_path, apart]
-		check(apart < MAX_DIFFERENCE and apart > 1.0 / MAX_DIFFERENCE, told)
+		var reported := (
+			"%s: %s is %.2f times its share" % [file, listed.species.resource_path, apart]
+		)
+		check(apart < MAX_DIFFERENCE and apart > 1.0 / MAX_DIFFERENCE, reported)

@@ -70,7 +70,7 @@ func test_constant_wind_bends_the_elasticity_law_to_its_equilibrium() -> void:
 	for degrees: float in [5.0, 15.0, 30.0]:
 		var angle := deg_to_rad(degrees)
 		_plant.reset_motion()
-		_blow(0.5 * GRAVITY * tan(angle) * (7.0 * cos(angle) - 1.0))
+		_apply_wind(0.5 * GRAVITY * tan(angle) * (7.0 * cos(angle) - 1.0))
 		_run(30.0)
 		check_near(rad_to_deg(_plant.get_deflection()), degrees, 0.01, "deflection")
 
@@ -83,7 +83,7 @@ func test_constant_wind_bends_the_spring_law_to_its_equilibrium() -> void:
 	var stiffness := 0.25 * TAU * TAU * 1.5
 	for strength: float in [1.0, 10.0, 100.0]:
 		_plant.reset_motion()
-		_blow(strength)
+		_apply_wind(strength)
 		_run(20.0)
 		check_near(tan(_plant.get_deflection()), 0.5 * strength / stiffness, 1e-4 * strength)
 
@@ -114,7 +114,7 @@ func test_the_tip_keeps_its_distance() -> void:
 	for law: PlantFunction.MotionLaw in [PlantFunction.LAW_ELASTICITY, PlantFunction.LAW_SPRING]:
 		_function.law = law
 		_plant.apply_impulse(Vector3(3, -1, 2))
-		_blow(5.0)
+		_apply_wind(5.0)
 		for i in 300:
 			_plant.advance(STEP)
 			check_near(_plant.get_tip_position().length(), 1.5, LENGTH_TOLERANCE, "distance")
@@ -163,7 +163,7 @@ func test_deflection_is_the_angle_from_rest() -> void:
 
 
 func test_reset_puts_it_back_to_rest() -> void:
-	_blow(5.0)
+	_apply_wind(5.0)
 	var first := _tips_at_whole_seconds(60)
 	_plant.reset_motion()
 	check_near(_plant.get_tip_position(), Vector3(0, 1.5, 0), LENGTH_TOLERANCE, "tip")
@@ -232,7 +232,7 @@ func _run(seconds: float) -> void:
 		_plant.advance(STEP)
 
 
-func _blow(strength: float) -> void:
+func _apply_wind(strength: float) -> void:
 	_plant.wind = PlantWind.new()
 	_plant.wind.kind = PlantWind.KIND_CONSTANT
 	_plant.wind.strength = strength
@@ -245,7 +245,7 @@ func _lean_to(degrees: float) -> void:
 	_function.law = PlantFunction.LAW_SPRING
 	var stiffness := _function.mass * pow(TAU * _function.natural_frequency, 2.0) * 1.5
 	_function.damping_ratio = 1.0
-	_blow(tan(deg_to_rad(degrees)) * stiffness / _function.wind_weight)
+	_apply_wind(tan(deg_to_rad(degrees)) * stiffness / _function.wind_weight)
 	_run(10.0)
 	check_near(rad_to_deg(_plant.get_deflection()), degrees, 0.1, "bent")
 	_plant.wind = null

@@ -109,7 +109,7 @@ func test_impossible_steps_give_one_error_and_move_nothing() -> void:
 		check_equal(_plant.get_tip_position(), tip, "tip")
 
 
-func test_the_same_impossible_step_is_told_once_until_one_was_possible() -> void:
+func test_the_same_impossible_step_is_reported_once_until_one_was_possible() -> void:
 	for i in 3:
 		_plant.advance(NAN)
 	check_error("is impossible; nothing moved")

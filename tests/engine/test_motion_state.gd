@@ -5,12 +5,12 @@ const STEP := 1.0 / 60.0
 const TIP_TOLERANCE := 1e-5
 
 var _plant: Plant3D
-var _heard := 0
+var _signals := 0
 var _usual_step := PlantSimulation.step_length
 
 
 func before_each() -> void:
-	_heard = 0
+	_signals = 0
 	_plant = _add()
 
 
@@ -92,21 +92,21 @@ func test_a_state_that_is_none_is_refused_with_one_error() -> void:
 		check_equal(_plant.get_motion_state(), before, "state")
 
 
-func test_a_mesh_that_changes_is_told() -> void:
+func test_a_changed_mesh_is_signalled() -> void:
 	await frames(1)
-	_plant.mesh_changed.connect(func() -> void: _heard += 1)
+	_plant.mesh_changed.connect(func() -> void: _signals += 1)
 	_plant.height = 1.2
 	_plant.seed = 4
 	await frames(1)
-	check_equal(_heard, 1, "signals for two changes of one frame")
+	check_equal(_signals, 1, "signals for two changes of one frame")
 	_plant.species.mass = 2.0
 	_plant.height = 1.2
 	_plant.segments = _plant.segments
 	_plant.seed = 4
 	await frames(1)
-	check_equal(_heard, 1, "signals where the mesh stays")
+	check_equal(_signals, 1, "signals where the mesh stays")
 	_plant.rebuild()
-	check_equal(_heard, 2, "signals of a mesh that is built now")
+	check_equal(_signals, 2, "signals of a mesh that is built now")
 
 
 func test_setting_what_is_set_already_builds_nothing() -> void:

@@ -70,10 +70,10 @@ func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> 
 			check(compared > 50, "%d steps at %d frames, %s" % [compared, rate, kind])
 
 
-## Returns the output of tests/engine/driven/tell_motion_time.gd in a process of its own: a hash by
+## Returns the output of tests/engine/driven/print_motion_time.gd in a process of its own: a hash by
 ## step.
 func _steps_at(rate: int, kind: String) -> Dictionary:
-	var script := "res://tests/engine/driven/tell_motion_time.gd"
+	var script := "res://tests/engine/driven/print_motion_time.gd"
 	var words := [
 		"--headless", "--path", ProjectSettings.globalize_path("res://"), "--script", script
 	]
@@ -82,8 +82,11 @@ func _steps_at(rate: int, kind: String) -> Dictionary:
 	OS.execute(engine_path(), words, output, true)
 	var steps := {}
 	for line in (output[0] as String).split("\n"):
-		var told := line.split(" ")
-		if told.size() == 4 and told[0] == "step":
-			steps[told[1]] = told[2]
-			check(told[3].to_float() < 1e-6, "the wind's clock is %s s off at %d" % [told[3], rate])
+		var reported := line.split(" ")
+		if reported.size() == 4 and reported[0] == "step":
+			steps[reported[1]] = reported[2]
+			check(
+				reported[3].to_float() < 1e-6,
+				"the wind's clock is %s s off at %d" % [reported[3], rate]
+			)
 	return steps

@@ -22,7 +22,7 @@ func after_each() -> void:
 	_plant.free()
 
 
-func test_root_and_tip_keep_their_names_and_parts_have_30_bones_at_most() -> void:
+func test_root_and_tip_have_fixed_names_and_parts_have_up_to_30_bones() -> void:
 	for species: String in SPECIES:
 		_plant.species = _load(species)
 		var skeleton := _plant.get_skeleton()
@@ -91,9 +91,9 @@ func test_the_calm_plant_of_a_mesh_is_that_of_its_bones() -> void:
 			var bone := bones[k]
 			var from_rest := skeleton.get_bone_global_rest(bone).affine_inverse()
 			place += weights[k] * (skeleton.get_bone_global_pose(bone) * from_rest * places[i])
-		var told := Vector2(calm[4 * i + 1], calm[4 * i + 2])
-		farthest = maxf(farthest, told.distance_to(Vector2(place.x, place.z)))
-		leant = maxf(leant, told.distance_to(Vector2(places[i].x, places[i].z)))
+		var reported := Vector2(calm[4 * i + 1], calm[4 * i + 2])
+		farthest = maxf(farthest, reported.distance_to(Vector2(place.x, place.z)))
+		leant = maxf(leant, reported.distance_to(Vector2(places[i].x, places[i].z)))
 	check(leant > 0.05, "it leans by %f m" % leant)
 	check_near(farthest, 0.0, 2e-3, "m between the two")
 
@@ -138,7 +138,7 @@ func test_leaves_flutter_on_in_a_steady_wind() -> void:
 		var turn := _turn_of(skeleton, "leaf_1")
 		minimum = minf(minimum, turn)
 		maximum = maxf(maximum, turn)
-	check_near(_plant.get_tip_position(), tip, 1e-3, "the stem stands still")
+	check_near(_plant.get_tip_position(), tip, 1e-3, "the stem does not move")
 	check(maximum - minimum > 0.01, "a leaf turns by %f rad" % (maximum - minimum))
 
 

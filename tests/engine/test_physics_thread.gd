@@ -28,7 +28,7 @@ func test_physics_has_its_own_thread() -> void:
 	check(ProjectSettings.get_setting("physics/3d/run_on_separate_thread"), "the project says so")
 
 
-func test_plants_stand_on_colliders_at_every_rate() -> void:
+func test_plants_follow_colliders_at_every_rate() -> void:
 	for rate in RATES:
 		Engine.physics_ticks_per_second = rate
 		await physics_frames(3)
@@ -55,7 +55,7 @@ func test_what_physics_moves_pushes_plants_that_touch_at_every_rate() -> void:
 		await _roll_through(rate)
 
 
-func test_a_field_is_filled_again_and_again_while_bodies_move_among_its_plants() -> void:
+func test_a_field_is_rebuilt_repeatedly_while_bodies_move_among_its_plants() -> void:
 	field.bodies_group = &"walkers"
 	field.contact_enabled = true
 	await physics_frames(3)
@@ -124,9 +124,9 @@ func _way_of_tips(rate: int, contact: String) -> float:
 
 ## Returns a ball that only physics moves, along the middle of the field.
 func _roll_through(rate: int) -> void:
-	var told: Array[String] = []
-	var enter := func(_body: Node3D) -> void: told.append("in")
-	var leave := func(_body: Node3D) -> void: told.append("out")
+	var reported: Array[String] = []
+	var enter := func(_body: Node3D) -> void: reported.append("in")
+	var leave := func(_body: Node3D) -> void: reported.append("out")
 	field.body_entered_plants.connect(enter)
 	field.body_exited_plants.connect(leave)
 	var rest := all_tips()
@@ -140,14 +140,14 @@ func _roll_through(rate: int) -> void:
 			check(tips[i].is_finite(), "tip %d at %d Hz" % [i, rate])
 			if tips[i].distance_to(rest[i]) > 0.05:
 				pushed[i] = true
-	check_equal(told, ["in", "out"] as Array[String], "told at %d Hz" % rate)
+	check_equal(reported, ["in", "out"] as Array[String], "signals at %d Hz" % rate)
 	var in_its_way := 0
 	var missed := 0
 	for i in places.size():
 		var aside := absf(places[i].origin.z)
 		in_its_way += 1 if aside < 0.3 else 0
 		missed += 1 if aside < 0.3 and not pushed.has(i) else 0
-		check(not pushed.has(i) or aside < 3.0, "plant %d stands at %d Hz" % [i, rate])
+		check(not pushed.has(i) or aside < 3.0, "plant %d exists at %d Hz" % [i, rate])
 	check(in_its_way > 50, "%d plants are in its way" % in_its_way)
 	# A slow frame of a busy machine drops steps.
 	check(missed < 0.2 * in_its_way, "%d of %d are missed at %d Hz" % [missed, in_its_way, rate])

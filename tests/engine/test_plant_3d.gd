@@ -61,7 +61,7 @@ func test_mesh_height_and_seed_are_the_functions() -> void:
 	check_near(_plant.get_mesh().get_aabb().size.y, 0.75, 1e-6, "set height")
 
 
-func test_it_can_be_asked_before_it_is_in_the_tree() -> void:
+func test_queries_work_before_it_enters_the_tree() -> void:
 	var plant := Plant3D.new()
 	plant.species = ReedFunction.new()
 	plant.height = 2.0

@@ -122,7 +122,7 @@ func test_plants_that_name_no_group_or_do_not_simulate_are_not_pushed() -> void:
 	check(pushed.get_deflection() < 0.1, "and not once it names none")
 
 
-func test_in_a_paused_tree_only_who_goes_on_is_pushed() -> void:
+func test_in_a_paused_tree_only_active_nodes_are_pushed() -> void:
 	var stands := add_plant(make_species(PlantFunction.LAW_SPRING))
 	var goes_on := add_plant(stands.species)
 	goes_on.process_mode = Node.PROCESS_MODE_ALWAYS
@@ -130,7 +130,7 @@ func test_in_a_paused_tree_only_who_goes_on_is_pushed() -> void:
 	paused = true
 	add_ball(Vector3(-0.1, 1.2, 0), RADIUS)
 	await frames(20)
-	check_near(stands.get_deflection(), 0.0, 1e-6, "deflection of the one that stands")
+	check_near(stands.get_deflection(), 0.0, 1e-6, "deflection of the one that is fixed")
 	check(goes_on.get_deflection() > 0.1, "the other is pushed")
 	paused = false
 	await pass_time(0.2)
@@ -180,7 +180,7 @@ func test_what_is_set_down_by_a_plant_does_not_shove_it() -> void:
 	check(maximum > 0.05 and maximum < 0.35, "nor one that is set down itself, %f rad" % maximum)
 
 
-func test_a_plant_that_moves_is_not_shoved_by_a_body_that_stands_or_goes_along() -> void:
+func test_a_moving_plant_is_not_pushed_by_a_body_at_rest_or_beside_it() -> void:
 	var still := await _max_lean_of(0.0, 0.0)
 	check(still > 0.05, "it is pushed to %f rad" % still)
 	check_near(await _max_lean_of(0.02, 0.0), still, 0.02, "lean where the plant moves")

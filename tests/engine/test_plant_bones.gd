@@ -25,13 +25,13 @@ func after_each() -> void:
 	_holder.free()
 
 
-func test_a_plant_bends_on_the_screen_though_nobody_holds_its_skeleton() -> void:
+func test_a_plant_bends_on_the_screen_without_a_skeleton() -> void:
 	await _bend()
-	check(_node_direction().angle_to(_shown_direction()) > 0.05, "the node is not told")
+	check(_node_direction().angle_to(_shown_direction()) > 0.05, "the node is not notified")
 	_check_shown("in the wind")
 
 
-func test_who_asks_for_the_skeleton_finds_it_as_it_is_shown() -> void:
+func test_get_skeleton_returns_the_shown_pose() -> void:
 	await _bend()
 	var shown := _shown_direction()
 	_plant.get_skeleton()
@@ -42,7 +42,7 @@ func test_who_asks_for_the_skeleton_finds_it_as_it_is_shown() -> void:
 	_check_shown("held")
 
 
-func test_a_plant_that_comes_back_into_the_tree_is_shown_as_it_stands() -> void:
+func test_a_plant_that_returns_to_the_tree_shows_its_present_bend() -> void:
 	await _bend()
 	_plant.simulation_enabled = false
 	_holder.remove_child(_plant)
@@ -54,7 +54,7 @@ func test_a_plant_that_comes_back_into_the_tree_is_shown_as_it_stands() -> void:
 	_check_shown("and moving")
 
 
-func test_a_plant_that_was_hidden_is_shown_as_it_stands() -> void:
+func test_a_plant_that_was_hidden_shows_its_present_bend() -> void:
 	await frames(10)
 	_holder.hide()
 	await _bend()
@@ -63,14 +63,14 @@ func test_a_plant_that_was_hidden_is_shown_as_it_stands() -> void:
 	_check_shown("shown again")
 
 
-func test_a_plant_that_is_built_anew_goes_on_on_the_screen() -> void:
+func test_a_rebuilt_plant_continues_its_motion_on_the_screen() -> void:
 	await _bend()
 	_plant.height = 2.0
 	await frames(3)
 	_check_shown("higher")
 
 
-func test_a_plant_whose_skeleton_was_taken_grows_another() -> void:
+func test_a_plant_without_its_skeleton_makes_another() -> void:
 	await _bend()
 	_plant.get_skeleton().free()
 	await _bend()

@@ -9,7 +9,7 @@ const CLEAR := 0.015
 const SPRING := PlantFunction.LAW_SPRING
 const ELASTIC := PlantFunction.LAW_ELASTICITY
 
-var _has_told := false
+var _has_reported := false
 
 
 func test_two_tips_in_each_other_part_at_once_along_the_line_through_both() -> void:
@@ -27,7 +27,7 @@ func test_two_tips_in_each_other_part_at_once_along_the_line_through_both() -> v
 		_free(pair)
 
 
-func test_a_blow_on_one_goes_over_to_the_other_whatever_species_and_law() -> void:
+func test_an_impulse_passes_between_species_and_laws_by_contact() -> void:
 	for law: PlantFunction.MotionLaw in [SPRING, ELASTIC]:
 		for other: PlantFunction.MotionLaw in [SPRING, ELASTIC]:
 			var thick := make_species(other, 1.5 * RADIUS)
@@ -57,7 +57,7 @@ func test_plants_that_are_moved_scaled_or_turned_touch_in_the_world() -> void:
 			_free(pair)
 
 
-func test_a_plant_on_a_wall_touches_one_that_stands_by_it() -> void:
+func test_a_plant_on_a_wall_touches_one_on_the_ground_beside_it() -> void:
 	var species := make_species(SPRING, RADIUS)
 	var wall := Transform3D(Basis(Vector3.FORWARD, -0.5 * PI), Vector3(1.45, 1.1, 0))
 	var pair: Array[Plant3D] = [_add_touching(species, Transform3D()), _add_touching(species, wall)]
@@ -105,7 +105,7 @@ func test_two_plants_and_two_of_a_field_hold_each_other_alike() -> void:
 	check(tip_of(pair[0]).x > tip_of(pair[1]).x, "and not without")
 
 
-func test_those_that_have_it_off_or_do_not_simulate_touch_nobody() -> void:
+func test_plants_without_contact_or_simulation_touch_nothing() -> void:
 	var species := make_species(SPRING, RADIUS)
 	for switch: String in ["contact_enabled", "simulation_enabled"]:
 		var pair := _add_pair(species, species)
@@ -116,7 +116,7 @@ func test_those_that_have_it_off_or_do_not_simulate_touch_nobody() -> void:
 			await process_frame
 			minimum = minf(minimum, _distance(pair))
 		check(minimum < RADIUS, "it goes through where %s is off: %f m" % [switch, minimum])
-		check_near(pair[1].get_deflection(), 0.0, 1e-6, "the other stands")
+		check_near(pair[1].get_deflection(), 0.0, 1e-6, "the other is upright")
 		pair[1].set(switch, true)
 		pair[0].reset_motion()
 		pair[1].reset_motion()
@@ -154,7 +154,7 @@ func test_plants_of_other_worlds_and_of_fields_are_not_touched() -> void:
 	check(other.get_deflection() > 0.01, "it is touched once both are in one world")
 
 
-func test_who_comes_or_goes_while_tips_touch_is_noticed() -> void:
+func test_plants_added_or_removed_during_contact_count() -> void:
 	var species := make_species(SPRING, RADIUS)
 	var row: Array[Plant3D] = []
 	for i in 6:
@@ -172,16 +172,18 @@ func test_who_comes_or_goes_while_tips_touch_is_noticed() -> void:
 		check(tip_of(plant).is_finite(), "all goes on")
 
 
-func test_a_crowd_of_tips_is_told_of_once_by_an_engine() -> void:
+func test_a_crowd_of_tips_is_reported_once_per_engine() -> void:
 	var species := make_species(SPRING, 20.0)
 	for i in 200:
 		_add_touching(species, Transform3D(Basis(), Vector3(0.3 * i, 0, 0)))
 	await pass_time(0.3)
-	check_error_count("PlantSimulation: too many tips are near each other", 0 if _has_told else 1)
-	_has_told = true
+	check_error_count(
+		"PlantSimulation: too many tips are near each other", 0 if _has_reported else 1
+	)
+	_has_reported = true
 
 
-func test_usual_plants_are_not_told_of_a_crowd() -> void:
+func test_usual_plants_report_no_crowd() -> void:
 	for i in 100:
 		_add_touching(TulipFunction.new(), Transform3D(Basis(), Vector3(0.5 * i, 0, 0)))
 	await pass_time(0.3)

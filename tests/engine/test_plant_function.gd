@@ -72,7 +72,7 @@ func test_an_angle_stays_what_it_is_however_often_it_is_saved() -> void:
 	DirAccess.remove_absolute(PATH)
 
 
-func test_degrees_where_radians_belong_are_told() -> void:
+func test_degrees_instead_of_radians_are_reported() -> void:
 	PlantFunction.new().lean = 45.0
 	check_error("lean cannot be 45.0 rad, which is 2578.3°")
 
@@ -166,7 +166,7 @@ func test_only_the_chosen_laws_numbers_are_shown() -> void:
 	check(is_shown(function, "elasticity"), "the elasticity")
 
 
-func test_meshes_wear_the_functions_material() -> void:
+func test_meshes_use_the_functions_material() -> void:
 	var tulip := TulipFunction.new()
 	var standard := tulip.generate_mesh(1.0, 4).surface_get_material(0)
 	check(standard is StandardMaterial3D, "a material of its own")

@@ -25,7 +25,7 @@ func test_a_new_map_is_empty() -> void:
 	check_equal(map.cell_size, 0.5, "cells")
 
 
-func test_a_stroke_is_painted_and_tells_its_rectangle() -> void:
+func test_a_stroke_is_painted_and_emits_its_rectangle() -> void:
 	map.paint(BED, 3.0, "Poppy", 0.8, 0.0)
 	check_near(map.get_density(BED, "Poppy"), 0.8, 0.003, "density in the middle")
 	check_near(map.get_density(BED + Vector3(2.7, 0, 0), "Poppy"), 0.8, 0.003, "at the edge")
@@ -36,7 +36,7 @@ func test_a_stroke_is_painted_and_tells_its_rectangle() -> void:
 	check(map.get_painted_rect().encloses(Rect2(-1, -8, 6, 6)), "the painted rectangle holds it")
 
 
-func test_a_stroke_that_changes_nothing_tells_nothing() -> void:
+func test_a_stroke_without_effect_emits_nothing() -> void:
 	map.erase(BED, 3.0)
 	map.smooth(BED, 3.0, "Poppy")
 	map.paint(BED, 3.0, "Poppy", 0.0)
@@ -53,7 +53,7 @@ func test_erasing_without_a_name_is_of_all() -> void:
 	check_equal(map.get_painted_species(), PackedStringArray(), "species then")
 
 
-func test_density_and_height_go_where_they_are_told() -> void:
+func test_density_and_height_reach_their_properties() -> void:
 	map.paint(BED, 4.0, "Poppy", 1.0, 0.0)
 	map.paint_towards(BED, 4.0, "Poppy", 0.5, 0.5, 0.0)
 	check_near(map.get_density(BED, "Poppy"), 0.75, 0.005, "density half the way")

@@ -49,8 +49,8 @@ func test_a_script_grows_a_plant_once_for_each_seed() -> void:
 	root.add_child(field)
 	await field.build_finished
 	await frames(1)
-	check_equal(Daisy.grown, 5, "asked once for each of four variants and for the stem")
-	check(field.get_plant_ids().size() > 5, "plants stand")
+	check_equal(Daisy.grown, 5, "sampled once for each of four variants and for the stem")
+	check(field.get_plant_ids().size() > 5, "plants exist")
 	field.free()
 
 
@@ -93,7 +93,7 @@ func test_a_script_grows_again_when_it_has_changed() -> void:
 	check_equal(Daisy.grown, 3, "a variable")
 	species.emit_changed()
 	species.generate_mesh(0.0, 6, 1)
-	check_equal(Daisy.grown, 4, "a change that is told")
+	check_equal(Daisy.grown, 4, "a change with a signal")
 	species.stalk = PlantAxis.of({length = 0.2})
 	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.y < before.size.y, "another part")
 
@@ -122,7 +122,7 @@ func test_leaves_on_a_stem_of_four_functions() -> void:
 	var leaf := PlantBlade.of({length = 0.3, width = 0.05})
 	species.arrangements = [PlantArrangement.of({part = leaf, count = 3, to = 0.3, angle = 0.6})]
 	var mesh := species.generate_mesh(0.0, 12, 1)
-	check(mesh.get_aabb().size.x > 0.2, "leaves stand off the stem")
+	check(mesh.get_aabb().size.x > 0.2, "leaves point away from the stem")
 	var arrays := mesh.surface_get_arrays(0)
 	check_equal(arrays[Mesh.ARRAY_TANGENT].size(), 4 * mesh.surface_get_array_len(0), "tangents")
 	check(arrays[Mesh.ARRAY_CUSTOM2] != null, "half-widths")
@@ -160,7 +160,7 @@ func test_flat_parts_lie_in_the_plane_of_what_carries_them() -> void:
 	var species := PlantFunction.new()
 	species.has_stem = false
 	species.arrangements = [frond]
-	check(species.generate_mesh(0.0, 12).get_aabb().size.z > 0.03, "leaflets stand across")
+	check(species.generate_mesh(0.0, 12).get_aabb().size.z > 0.03, "leaflets point sideways")
 	leaflet.flat = true
 	check(species.generate_mesh(0.0, 12).get_aabb().size.z < 0.01, "leaflets lie flat")
 
@@ -177,7 +177,7 @@ func test_weights_are_the_stem_offsets() -> void:
 	check_near(worst, 0.0, 1e-4, "weights")
 
 
-func test_a_script_says_width_and_color_of_a_part() -> void:
+func test_a_script_sets_width_and_color_of_a_part() -> void:
 	var species := PlantFunction.new()
 	species.has_stem = false
 	species.arrangements = [
@@ -193,13 +193,13 @@ func test_a_script_says_width_and_color_of_a_part() -> void:
 
 func test_setters_are_quiet_and_keep_degrees() -> void:
 	var blade := PlantBlade.new()
-	var told := [0]
-	blade.changed.connect(func() -> void: told[0] += 1)
+	var reported := [0]
+	blade.changed.connect(func() -> void: reported[0] += 1)
 	blade.bend = deg_to_rad(75.0)
 	blade.bend = deg_to_rad(75.0)
 	blade.width = 0.009
 	blade.width = 0.009
-	check_equal(told[0], 2, "changes")
+	check_equal(reported[0], 2, "changes")
 	check_equal(rad_to_deg(blade.bend), 75.0, "degrees")
 	check_equal(blade.width, 0.009, "width")
 
@@ -211,10 +211,10 @@ func test_a_change_deep_inside_reaches_the_species() -> void:
 	outer.carries = [inner]
 	var species := PlantFunction.new()
 	species.arrangements = [outer]
-	var told := [0]
-	species.changed.connect(func() -> void: told[0] += 1)
+	var reported := [0]
+	species.changed.connect(func() -> void: reported[0] += 1)
 	bead.diameter = 0.01
-	check_equal(told[0], 1, "one change")
+	check_equal(reported[0], 1, "one change")
 
 
 func test_a_part_has_the_veins_that_it_is_given() -> void:
@@ -253,7 +253,7 @@ func test_values_out_of_range_keep_the_last() -> void:
 	check_equal(at_once.carries, [arrangement], "what it carries, in an array that is not typed")
 
 
-func test_what_carries_itself_or_has_no_part_is_told() -> void:
+func test_a_cycle_of_carriers_and_a_missing_part_are_reported() -> void:
 	var arrangement := PlantArrangement.of({part = PlantAxis.new()})
 	arrangement.carries = [arrangement]
 	var species := PlantFunction.new()
@@ -267,7 +267,7 @@ func test_what_carries_itself_or_has_no_part_is_told() -> void:
 	check(species.find_problem(0.0, 6).contains("grew nothing"), "nothing")
 
 
-func test_a_script_that_errs_is_told_what_to_do() -> void:
+func test_a_script_error_says_what_to_do() -> void:
 	var blade := PlantBlade.new()
 	var bare := PackedInt32Array([7])
 	var deeds := {

@@ -40,12 +40,12 @@ func test_tilted_plants_sway_with_the_wind() -> void:
 func test_plants_on_a_wall_sway_with_the_wind() -> void:
 	_plant.rotation_degrees = Vector3(90, 0, 0)
 	await frames(1)
-	check_near(_tip_in_world().normalized(), Vector3(0, 0, 1), 1e-5, "it stands off the wall")
+	check_near(_tip_in_world().normalized(), Vector3(0, 0, 1), 1e-5, "it grows away from the wall")
 	_check_sway(Vector3(1, 0, 0), "on a wall")
 	_plant.rotation_degrees = Vector3(0, 0, 90)
 	await frames(1)
 	_plant.reset_motion()
-	check_near(_tip_in_world().normalized(), Vector3(-1, 0, 0), 1e-5, "it stands off the wall")
+	check_near(_tip_in_world().normalized(), Vector3(-1, 0, 0), 1e-5, "it grows away from the wall")
 	_check_sway(Vector3(0, 0, 1), "on another wall")
 
 

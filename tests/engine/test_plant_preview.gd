@@ -45,7 +45,7 @@ func test_preview_equals_step_under_the_same_wind() -> void:
 	twin.free()
 
 
-func test_preview_hears_a_gust() -> void:
+func test_the_preview_shows_a_gust() -> void:
 	_wind.kind = PlantWind.KIND_GUST
 	_preview(60)
 	_plant.reset_motion()

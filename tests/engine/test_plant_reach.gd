@@ -38,7 +38,7 @@ func test_reach_covers_irregular_plants() -> void:
 			_check_reach("%s, seed %d" % [species.get_class(), seed_value])
 
 
-func test_reach_covers_plants_that_stand_aslant() -> void:
+func test_the_bounds_cover_leaning_plants() -> void:
 	for degrees: float in [30.0, 59.0, 61.0, 90.0, 135.0, 180.0]:
 		_plant.rotation_degrees = Vector3(degrees, 20.0, 0.0)
 		for law: PlantFunction.MotionLaw in _laws():

@@ -4,35 +4,43 @@ extends "res://tests/engine/plant_harness.gd"
 const RADIUS := 0.3  # m, of the balls.
 
 
-func test_bodies_are_told_of_by_each_plant() -> void:
+func test_bodies_are_signalled_by_each_plant() -> void:
 	var near := add_plant(make_species(PlantFunction.LAW_SPRING, 0.0))
 	var far := add_plant(near.species, Transform3D(Basis(), Vector3(3, 0, 0)))
 	var ball := add_ball(Vector3(-0.45, 1.2, 0), RADIUS)
-	var told: Array[String] = []
+	var reported: Array[String] = []
 	for plant: Plant3D in [near, far]:
 		var title := "near" if plant == near else "far"
-		plant.body_entered_plants.connect(func(_body: Node3D) -> void: told.append(title + " in"))
-		plant.body_exited_plants.connect(func(_body: Node3D) -> void: told.append(title + " out"))
+		plant.body_entered_plants.connect(
+			func(_body: Node3D) -> void: reported.append(title + " in")
+		)
+		plant.body_exited_plants.connect(
+			func(_body: Node3D) -> void: reported.append(title + " out")
+		)
 	await pass_time(0.2)
-	check_equal(told, [] as Array[String], "told, farther than the margin")
+	check_equal(reported, [] as Array[String], "signals farther than the margin")
 	near.touch_margin = 0.2
 	await pass_time(0.2)
-	check_equal(told, ["near in"] as Array[String], "told within the margin")
+	check_equal(reported, ["near in"] as Array[String], "signals within the margin")
 	check_near(near.get_deflection(), 0.0, 1e-6, "a margin pushes nothing")
 	paused = true
 	await frames(3)
 	paused = false
 	ball.position = Vector3(2.65, 1.2, 0)
 	await pass_time(0.2)
-	check_equal(told, ["near in", "far in", "near out"] as Array[String], "told at the other")
+	check_equal(
+		reported, ["near in", "far in", "near out"] as Array[String], "signals at the other"
+	)
 	ball.remove_from_group(GROUP)
 	await pass_time(0.2)
-	check_equal(told.back(), "far out", "told of one that left the group")
+	check_equal(reported.back(), "far out", "signal of one that left the group")
 	ball.add_to_group(GROUP)
 	await pass_time(0.2)
 	far.bodies_group = &""
 	await pass_time(0.2)
-	check_equal(told.slice(4), ["far in", "far out"] as Array[String], "told of no group")
+	check_equal(
+		reported.slice(4), ["far in", "far out"] as Array[String], "signals without a group"
+	)
 	near.touch_margin = -1.0
 	check_error("touch_margin")
 	check_equal(near.touch_margin, 0.2, "margin")
@@ -51,14 +59,14 @@ func test_a_point_is_in_a_plant_within_its_margin() -> void:
 
 func test_a_body_that_is_freed_among_plants_is_forgotten() -> void:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING))
-	var told: Array[Node3D] = []
-	plant.body_exited_plants.connect(func(body: Node3D) -> void: told.append(body))
+	var reported: Array[Node3D] = []
+	plant.body_exited_plants.connect(func(body: Node3D) -> void: reported.append(body))
 	var ball := add_ball(Vector3(-0.1, 1.2, 0), RADIUS)
 	await pass_time(0.2)
 	ball.free()
 	await pass_time(3.0)
 	check(plant.get_deflection() < 0.1, "it swings freely")
-	check_equal(told, [] as Array[Node3D], "told of")
+	check_equal(reported, [] as Array[Node3D], "signals")
 	ball = add_ball(Vector3(-0.1, 1.2, 0), RADIUS)
 	await pass_time(0.2)
 	plant.queue_free()
@@ -68,7 +76,7 @@ func test_a_body_that_is_freed_among_plants_is_forgotten() -> void:
 	await pass_time(0.2)
 
 
-func test_bodies_that_cannot_push_are_told_of_once_however_many_plants_there_are() -> void:
+func test_bodies_that_cannot_push_are_reported_once_for_many_plants() -> void:
 	var species := make_species(PlantFunction.LAW_SPRING)
 	for i in 50:
 		add_plant(species, Transform3D(Basis(), Vector3(i, 0, 0))).touch_margin = 0.01 * i
@@ -85,7 +93,7 @@ func test_bodies_that_cannot_push_are_told_of_once_however_many_plants_there_are
 	walker.free()
 
 
-func test_a_group_that_nobody_is_in_is_told_of_once() -> void:
+func test_an_empty_group_is_reported_once() -> void:
 	var group := "wlakers%d" % Time.get_ticks_usec()  # One warning per group and process.
 	for i in 3:
 		add_plant(make_species(PlantFunction.LAW_SPRING, 0.01 * i)).bodies_group = group

@@ -25,13 +25,13 @@ func after_each() -> void:
 	_wind = null
 
 
-func test_a_constant_wind_always_blows() -> void:
+func test_a_constant_wind_is_constant() -> void:
 	_wind.kind = PlantWind.KIND_CONSTANT
 	for time: float in [-5.0, 0.0, 0.7, 100.0, 1e7]:
 		check_near(_wind.sample(time), NORTH_TO_SOUTH * 8.0, FORCE_TOLERANCE, "at %f" % time)
 
 
-func test_a_gust_blows_once() -> void:
+func test_a_gust_happens_once() -> void:
 	_wind.kind = PlantWind.KIND_GUST
 	_wind.gust_duration = 0.5
 	for time: float in [0.0, 0.25, 0.49]:
@@ -40,7 +40,7 @@ func test_a_gust_blows_once() -> void:
 		check_equal(_wind.sample(time), Vector3.ZERO, "at %f" % time)
 
 
-func test_bursts_blow_in_the_first_half_of_each_period() -> void:
+func test_bursts_fill_the_first_half_of_each_period() -> void:
 	_wind.kind = PlantWind.KIND_BURSTS
 	for period: float in [0.0, 1.0, 7.0, 1000.0]:
 		check_near(_wind.sample(2.0 * period + 0.1), NORTH_TO_SOUTH * 8.0, FORCE_TOLERANCE)
@@ -74,7 +74,7 @@ func test_directions_turn_from_plus_z_to_plus_x() -> void:
 		check_near(_wind.sample(0.0), ways[degrees], FORCE_TOLERANCE, "%f degrees" % degrees)
 
 
-func test_a_triggered_gust_blows_on_top_of_the_other_kinds() -> void:
+func test_a_triggered_gust_adds_to_the_other_kinds() -> void:
 	_wind.kind = PlantWind.KIND_CONSTANT
 	_wind.gust_duration = 0.5
 	_wind.trigger_gust()
@@ -147,7 +147,7 @@ func test_a_gust_reaches_plants_driven_by_hand_whatever_their_clocks_show() -> v
 			_plant = null
 
 
-func test_a_gust_chosen_while_running_blows_now() -> void:
+func test_a_gust_chosen_while_running_starts_now() -> void:
 	_wind.kind = PlantWind.KIND_CONSTANT
 	_run(3.0)
 	_wind.kind = PlantWind.KIND_GUST
@@ -269,7 +269,7 @@ func test_saved_it_loads_equal() -> void:
 	DirAccess.remove_absolute(PATH)
 
 
-func test_a_gust_of_a_loaded_wind_still_blows() -> void:
+func test_a_gust_of_a_loaded_wind_still_happens() -> void:
 	_wind.kind = PlantWind.KIND_GUST
 	check_equal(ResourceSaver.save(_wind, PATH), OK, "saving")
 	var loaded: PlantWind = ResourceLoader.load(PATH, "", ResourceLoader.CACHE_MODE_IGNORE)

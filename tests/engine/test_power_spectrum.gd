@@ -10,7 +10,7 @@ const TOLERANCE := 0.02
 const BAND_TOLERANCE := 0.25
 
 
-func test_a_sine_stands_at_its_frequency_with_its_variance() -> void:
+func test_a_sine_appears_at_its_frequency_with_its_variance() -> void:
 	var powers := PowerSpectrum.of(_sine(2.0, 3.0, 5.0), RATE)
 	check_equal(powers.size(), COUNT / 2, "frequencies")
 	var step := RATE / COUNT
@@ -60,8 +60,8 @@ func test_air_has_the_spectrum_that_was_measured_over_a_field() -> void:
 		for i in range(ceili(low * COUNT / RATE), floori(2.0 * low * COUNT / RATE)):
 			measured += powers[i] / variance
 			expected += _kaimal(wind, i * RATE / COUNT)
-		var told := "from %.3f Hz" % low
-		check_near(measured / expected, 1.0, BAND_TOLERANCE, told)
+		var reported := "from %.3f Hz" % low
+		check_near(measured / expected, 1.0, BAND_TOLERANCE, reported)
 
 
 func _kaimal(wind: PlantWind, hertz: float) -> float:

@@ -162,7 +162,7 @@ func test_some_dandelions_have_a_clock() -> void:
 		var height := _species("dandelion").generate_mesh(0.0, 12, seed_of_plant).get_aabb().end.y
 		tallest = maxf(tallest, height)
 		lowest = minf(lowest, height)
-	check(tallest > 0.2 and lowest < 0.2, "clocks stand above flowers, from %.2f m" % lowest)
+	check(tallest > 0.2 and lowest < 0.2, "clocks are above flowers, from %.2f m" % lowest)
 
 
 func _species(file: String) -> PlantFunction:

@@ -28,7 +28,7 @@ func after_each() -> void:
 	_plant.free()
 
 
-func test_ready_species_lean_in_the_winds_that_their_build_says() -> void:
+func test_ready_species_lean_in_the_winds_of_their_structure() -> void:
 	_plant = Plant3D.new()
 	_plant.simulation_enabled = false
 	_plant.wind = PlantWind.new()

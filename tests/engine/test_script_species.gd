@@ -94,32 +94,32 @@ func test_a_script_may_use_properties_and_signal_changes() -> void:
 			+ "func _calculate_curve_point(_offset: float) -> float:\n\treturn width\n"
 		)
 	)
-	await _stand()
+	await _make_plant()
 	var narrow := _plant.get_mesh().get_aabb().size.x
 	_function.set("width", 2.0)
 	await frames(2)
 	check_near(_plant.get_mesh().get_aabb().size.x, 2.0 * narrow, 1e-5, "width")
 
 
-func test_a_script_that_returns_nothing_is_told_once() -> void:
+func test_a_script_that_returns_nothing_is_reported_once() -> void:
 	for method: String in _signatures():
 		await _check_fault("func %s:\n\tpass\n" % method, "returned nothing")
 
 
-func test_a_script_that_returns_the_wrong_type_is_told_once() -> void:
+func test_a_script_that_returns_the_wrong_type_is_reported_once() -> void:
 	for method: String in _signatures():
 		await _check_fault('func %s:\n\treturn "wide"\n' % method, "returned String")
 	await _check_fault("func _get_base_shape(_lod):\n\treturn [Vector3.ZERO]\n", "returned Array")
 	await _check_fault("func _calculate_curve_point(_offset):\n\treturn null\n", "returned nothing")
 
 
-func test_a_script_that_raises_an_error_is_told_once() -> void:
+func test_a_script_that_raises_an_error_is_reported_once() -> void:
 	for method: String in _signatures():
 		var code := "func %s:\n\tvar nothing = null\n\treturn nothing.size\n" % method
 		await _check_fault(code, "returned nothing", 1)
 
 
-func test_a_typed_script_that_raises_an_error_is_told_once() -> void:
+func test_a_typed_script_that_raises_an_error_is_reported_once() -> void:
 	var raise := "\tvar nothing = null\n\treturn nothing.size\n"
 	await _check_fault(
 		"func _get_base_shape(_lod: int) -> PackedVector3Array:\n" + raise, "fewer than 3 points", 1
@@ -133,12 +133,12 @@ func test_a_typed_script_that_raises_an_error_is_told_once() -> void:
 	)
 
 
-func test_heights_out_of_range_are_told_once() -> void:
+func test_heights_out_of_range_are_reported_once() -> void:
 	for value: String in ["NAN", "INF", "-1.0", "0.0", "1e9"]:
 		await _check_fault("func _generate_height(_rng):\n\treturn %s\n" % value, "Plant")
 
 
-func test_widths_out_of_range_are_told_once() -> void:
+func test_widths_out_of_range_are_reported_once() -> void:
 	for value: String in ["NAN", "INF", "-INF", "-0.1", "1e9"]:
 		var code := "func _calculate_curve_point(_offset):\n\treturn %s\n" % value
 		await _check_fault(code, "_calculate_curve_point(0.0) gave")
@@ -148,13 +148,13 @@ func test_widths_out_of_range_are_told_once() -> void:
 	)
 
 
-func test_colors_that_are_not_finite_are_told_once() -> void:
+func test_colors_that_are_not_finite_are_reported_once() -> void:
 	for value: String in ["Color(NAN, 0, 0)", "Color(0, INF, 0)", "Color(0, 0, 0, NAN)"]:
 		var code := "func _calculate_color_at_point(_offset):\n\treturn %s\n" % value
 		await _check_fault(code, "not finite")
 
 
-func test_unusable_base_shapes_are_told_once() -> void:
+func test_unusable_base_shapes_are_reported_once() -> void:
 	var shapes := {
 		"": "fewer than 3 points",
 		"(0, 0, 0)": "fewer than 3 points",
@@ -174,7 +174,7 @@ func test_unusable_base_shapes_are_told_once() -> void:
 		await _check_fault(code, shapes[points])
 
 
-func test_the_four_functions_tell_faults_to_their_callers() -> void:
+func test_the_four_functions_report_errors_to_their_callers() -> void:
 	_write("func _calculate_curve_point(_offset):\n\treturn []\n")
 	check_equal(_function.calculate_curve_point(0.5), 0.0)
 	check_error("returned Array")
@@ -183,9 +183,9 @@ func test_the_four_functions_tell_faults_to_their_callers() -> void:
 	check_error("returned nothing")
 
 
-func test_the_same_fault_is_told_once_however_often_the_plant_is_built() -> void:
+func test_the_same_error_is_reported_once_for_many_builds() -> void:
 	_write("func _generate_height(_rng):\n\treturn NAN\n")
-	await _stand()
+	await _make_plant()
 	for lod in range(1, 10):
 		_plant.segments = lod
 		await frames(1)
@@ -197,7 +197,7 @@ func test_the_same_fault_is_told_once_however_often_the_plant_is_built() -> void
 
 func test_a_repaired_species_grows_again() -> void:
 	_write("@export var bad := true\nfunc _generate_height(_rng):\n\treturn NAN if bad else 1.5\n")
-	await _stand()
+	await _make_plant()
 	check_error("_generate_height() gave nan")
 	_function.set("bad", false)
 	_function.emit_changed()
@@ -218,7 +218,7 @@ func _check_fault(code: String, text: String, raised := 0) -> void:
 	_check_messages(code, text, raised)
 	var faulty := _function
 	_function = TulipFunction.new()
-	await _stand()
+	await _make_plant()
 	var mesh := _plant.get_mesh()
 	_plant.species = faulty
 	await frames(10)
@@ -252,7 +252,7 @@ func _write(code: String, base := "PlantFunction") -> void:
 	_function = script.new()
 
 
-func _stand() -> void:
+func _make_plant() -> void:
 	_plant = Plant3D.new()
 	_plant.species = _function
 	_plant.simulation_enabled = false

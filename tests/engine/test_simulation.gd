@@ -63,7 +63,7 @@ func test_a_shared_wind_goes_on_once_a_step() -> void:
 	check_near(shared.get_time(), _plant.wind.get_time(), STEP + 1e-6, "as one plant's own")
 
 
-func test_a_wind_without_plants_stands_still() -> void:
+func test_a_wind_without_plants_does_not_advance() -> void:
 	var wind := _make_wind()
 	await _pass(0.1)
 	check_equal(wind.get_time(), 0.0)
@@ -118,7 +118,7 @@ func test_a_disabled_plant_stops_and_goes_on() -> void:
 	check(_plant.get_tip_position() != tip, "it moves")
 
 
-func test_a_plant_that_is_told_to_stops_simulating() -> void:
+func test_a_plant_stops_simulating_when_it_is_disabled() -> void:
 	await _pass(0.1)
 	_plant.simulation_enabled = false
 	var tip := _plant.get_tip_position()

@@ -144,7 +144,7 @@ func test_a_wind_outlives_its_plants_and_its_plants_a_wind() -> void:
 		plant.wind = null
 	wind = null
 	await frames(2)
-	check(weak.get_ref() == null, "a wind that nobody uses goes")
+	check(weak.get_ref() == null, "an unused wind is freed")
 	check_equal(PlantSimulation.get_plant_count(), 30)
 
 

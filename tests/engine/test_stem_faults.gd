@@ -10,7 +10,7 @@ class Hollow:
 		return width
 
 
-func test_a_joint_that_is_not_there_is_told_of() -> void:
+func test_a_missing_joint_is_reported() -> void:
 	check_equal(reed.get_joint_position(5), Vector3.ZERO, "no joint")
 	check_error("get_joint_position(5) needs a joint from 0, the root, to 4")
 	for joint: int in [0, 5]:
@@ -19,7 +19,7 @@ func test_a_joint_that_is_not_there_is_told_of() -> void:
 	check_near(reed.get_deflection(), 0.0, 1e-6, "bend")
 
 
-func test_a_stem_that_cannot_stand_is_told_of_once_and_stands() -> void:
+func test_a_stem_that_buckles_is_reported_once_and_shown_upright() -> void:
 	reed.species.resource_name = "Weak reed"
 	reed.species.stem.youngs_modulus = 1e6
 	await frames(2)
@@ -36,13 +36,13 @@ func test_a_stem_that_cannot_stand_is_told_of_once_and_stands() -> void:
 	check(reed.get_deflection() > 0.001, "it swings")
 	reed.species.stem.youngs_modulus = 1e11
 	await frames(2)
-	check_near(reed.get_tip_position().length(), reed.get_plant_height(), 0.1, "it stands")
+	check_near(reed.get_tip_position().length(), reed.get_plant_height(), 0.1, "it exists")
 	reed.species.stem.youngs_modulus = 1e6
 	await frames(2)
 	check_error("falls under its own weight")
 
 
-func test_a_species_that_cannot_be_built_is_told_of_once() -> void:
+func test_a_species_that_cannot_be_built_is_reported_once() -> void:
 	var species := Hollow.new()
 	var plant := add_stem(species)
 	await frames(2)
@@ -64,7 +64,7 @@ func test_wind_weights_need_one_for_each_joint() -> void:
 	check_equal(reed.get_joint_count(), 4, "joints")
 
 
-func test_a_frequency_that_no_stem_has_is_told_of() -> void:
+func test_an_impossible_frequency_is_reported() -> void:
 	reed.species.natural_frequency = 500.0
 	await frames(2)
 	check_error("natural frequency is out of range: use 0.02 to 100 Hz")
@@ -99,12 +99,12 @@ func test_a_bad_value_is_refused_once_and_the_old_one_stays() -> void:
 			check_equal(stem.get(property), before, property)
 
 
-func test_values_are_told_of_where_they_change_only() -> void:
+func test_values_are_signalled_only_where_they_change() -> void:
 	var stem := PlantStem.new()
-	var heard := [0]
-	stem.changed.connect(func() -> void: heard[0] += 1)
+	var signals := [0]
+	stem.changed.connect(func() -> void: signals[0] += 1)
 	for times in 2:
 		stem.joints = 5
 		stem.taper = 0.3
 		stem.wind_weights = PackedFloat32Array([1, 2])
-	check_equal(heard[0], 3, "changes")
+	check_equal(signals[0], 3, "changes")

@@ -34,7 +34,7 @@ func test_no_storm_takes_ready_species_below_the_ground() -> void:
 		field.free()
 
 
-func test_no_blow_takes_a_plant_alone_below_the_ground() -> void:
+func test_no_impulse_moves_an_isolated_plant_below_the_ground() -> void:
 	var plant := Plant3D.new()
 	plant.simulation_enabled = false
 	root.add_child(plant)

@@ -50,7 +50,7 @@ func test_a_stem_in_air_has_the_shape_of_drag() -> void:
 			check_near(tip, expected, ELASTICA_TOLERANCE * 1.2, "load %f" % load)
 
 
-func test_leaves_that_are_said_to_weigh_something_catch_the_wind_as_drawn() -> void:
+func test_leaves_with_a_mass_catch_the_wind_as_drawn() -> void:
 	var tulip: PlantFunction = load("res://addons/undergrowth/species/poppy.tres").duplicate()
 	tulip.law = PlantFunction.LAW_STEM
 	tulip.damping_ratio = 0.5
@@ -91,7 +91,7 @@ func test_a_new_species_is_a_stem_that_sways_in_a_new_wind_and_in_air() -> void:
 			check(farthest > 3.0 and farthest < 60.0, what)
 		plant.wind = null
 		swing(plant, 3000)
-		check_near(plant.get_deflection(), 0.0, 1e-3, "it stands upright in calm")
+		check_near(plant.get_deflection(), 0.0, 1e-3, "it is upright in calm")
 
 
 ## Returns tan of the tip's angle in a constant wind of that many newtons.

@@ -76,7 +76,7 @@ func test_joints_show_the_motion_and_do_not_change_it() -> void:
 	check_near(twin.get_deflection(), reed.get_deflection(), 1e-5, "bend")
 
 
-func test_other_joints_build_the_mesh_anew_and_keep_the_motion() -> void:
+func test_other_joints_rebuild_the_mesh_and_preserve_the_motion() -> void:
 	reed.apply_impulse(Vector3(0.002, 0, 0))
 	swing(reed, 20)
 	var mesh := reed.get_mesh()
@@ -90,8 +90,8 @@ func test_other_joints_build_the_mesh_anew_and_keep_the_motion() -> void:
 
 func test_what_a_stem_is_made_of_leaves_its_mesh() -> void:
 	var mesh := reed.get_mesh()
-	var heard := [0]
-	reed.mesh_changed.connect(func() -> void: heard[0] += 1)
+	var signals := [0]
+	reed.mesh_changed.connect(func() -> void: signals[0] += 1)
 	reed.species.natural_frequency = 2.0
 	reed.species.damping_ratio = 0.2
 	reed.species.stem.youngs_modulus = 4e9
@@ -99,10 +99,10 @@ func test_what_a_stem_is_made_of_leaves_its_mesh() -> void:
 	reed.species.stem.wind_weights = PackedFloat32Array([0, 0, 0, 1])
 	await frames(2)
 	check(reed.get_mesh() == mesh, "the mesh stays")
-	check_equal(heard[0], 0, "changes told of")
+	check_equal(signals[0], 0, "changes signalled")
 
 
-func test_a_blow_on_a_lower_joint_moves_the_tip_less() -> void:
+func test_an_impulse_on_a_lower_joint_moves_the_tip_less() -> void:
 	var before := 0.0
 	for joint: int in [1, 2, 3, 4]:
 		reed.reset_motion()
@@ -163,7 +163,7 @@ func test_a_stem_goes_on_from_the_state_of_another() -> void:
 	check_near(twin.get_tip_position(), reed.get_tip_position(), 10 * TIP_TOLERANCE, "later")
 
 
-func test_a_stem_goes_on_with_both_modes_where_its_simulation_begins_anew() -> void:
+func test_a_stem_continues_both_modes_when_its_simulation_restarts() -> void:
 	reed.species.stem.modes = 2
 	var twin := add_stem(reed.species)
 	await frames(1)
@@ -200,7 +200,7 @@ func test_a_state_holds_both_modes() -> void:
 	check(away > 1e-3, "the tip alone does not say it: %f m" % away)
 
 
-func test_a_species_that_comes_to_a_standing_plant() -> void:
+func test_a_species_is_set_on_an_existing_plant() -> void:
 	var plant := Plant3D.new()
 	root.add_child(plant)
 	await frames(1)

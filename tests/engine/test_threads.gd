@@ -53,7 +53,7 @@ func test_the_main_thread_may_generate_meshes_at_the_same_time() -> void:
 		_check_mesh(index, own[index])
 
 
-func test_faults_on_threads_are_told_and_harm_nothing() -> void:
+func test_errors_on_threads_are_reported_and_harm_nothing() -> void:
 	var tulip := TulipFunction.new()
 	var group := WorkerThreadPool.add_group_task(
 		func(_index: int) -> void: tulip.generate_mesh(-1.0, 12), 16

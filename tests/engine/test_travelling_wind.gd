@@ -92,7 +92,7 @@ func test_the_wind_of_a_step_is_that_of_its_middle() -> void:
 	check_near(tip.x / tip.y, bent * (1.0 - cos(omega * STEP)), 1e-6, "bend after one step")
 
 
-func test_the_wind_comes_later_to_a_plant_that_stands_downwind() -> void:
+func test_the_wind_reaches_a_downwind_plant_later() -> void:
 	var wind := _waves()
 	wind.travel_speed = 4.0
 	var near := _add(Vector3.ZERO, _species(PlantFunction.LAW_SPRING), wind)
@@ -140,7 +140,7 @@ func test_a_scaled_field_has_the_winds_way_in_metres_of_the_world() -> void:
 	field.free()
 
 
-func test_a_wind_without_a_travel_speed_blows_everywhere_at_once() -> void:
+func test_a_wind_without_a_travel_speed_is_the_same_everywhere() -> void:
 	var wind := _waves()
 	wind.travel_speed = 0.0
 	var near := _add(Vector3.ZERO, _species(PlantFunction.LAW_SPRING), wind)

@@ -35,7 +35,7 @@ func test_color_is_green_below_and_red_above() -> void:
 	check_equal(_tulip.calculate_color_at_point(1.0), flower)
 
 
-func test_base_shape_is_a_circle_of_at_least_four_points() -> void:
+func test_base_shape_is_a_circle_of_four_or_more_points() -> void:
 	for lod: int in [1, 4, 5, 12, 64]:
 		var shape := _tulip.get_base_shape(lod)
 		var count := maxi(4, lod)
@@ -87,7 +87,7 @@ func test_mesh_has_the_tulips_rings() -> void:
 		check_near(colors[i], color, COLOR_TOLERANCE, "color at %f" % offset)
 
 
-func test_height_zero_asks_the_function_with_the_seed() -> void:
+func test_height_zero_calls_the_function_with_the_seed() -> void:
 	for seed_value: int in [0, 1, 7]:
 		var box := _tulip.generate_mesh(0.0, 8, seed_value).get_aabb()
 		check_near(box.size.y, _height_of_seed(seed_value), FLOAT_TOLERANCE, "height of the mesh")

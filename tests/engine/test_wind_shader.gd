@@ -13,10 +13,10 @@ const SHADER := """shader_type canvas_item;
 #include "res://addons/undergrowth/shaders/undergrowth_wind.gdshaderinc"
 uniform vec3 corner;
 uniform float along_z;
-uniform bool over_stand;
+uniform bool over_canopy;
 void fragment() {
 	vec3 place = corner + vec3(UV.x, 0.0, UV.y) * 40.0;
-	vec3 velocity = over_stand ? undergrowth_wind_over_canopy(place.xz).xyy : undergrowth_wind(place);
+	vec3 velocity = over_canopy ? undergrowth_wind_over_canopy(place.xz).xyy : undergrowth_wind(place);
 	float part = (mix(velocity.x, velocity.z, along_z) / 32.0 * 0.5 + 0.5) * 65535.0;
 	COLOR = vec4(floor(part / 256.0) / 255.0, floor(mod(part, 256.0)) / 255.0, 0.0, 1.0);
 }
@@ -39,18 +39,18 @@ func after_each() -> void:
 
 
 func test_the_shader_shows_the_same_wind() -> void:
-	var wind := _blow()
+	var wind := _apply_wind()
 	var material := _show(wind)
 	var sample := func(place: Vector3) -> Vector3:
 		return wind.sample_velocity(wind.get_time(), place)
 	await _check_shown(material, sample, wind.speed)
 
 
-func test_the_shader_shows_the_same_wind_over_a_stand() -> void:
-	var wind := _blow()
+func test_the_shader_shows_the_same_wind_over_a_canopy() -> void:
+	var wind := _apply_wind()
 	wind.gustiness = 0.3
 	var material := _show(wind)
-	material.set_shader_parameter("over_stand", true)
+	material.set_shader_parameter("over_canopy", true)
 	var sample := func(place: Vector3) -> Vector3:
 		var flat := PackedVector2Array([Vector2(place.x, place.z)])
 		var velocity := wind.sample_over_canopy(wind.get_time(), flat)[0]
@@ -78,10 +78,10 @@ func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
 			drawn[0] = 0
 	RenderingServer.frame_post_draw.disconnect(count)
 	RenderingServer.render_loop_enabled = true
-	check_equal(drawn[0], 0, "frames drawn although none was asked for")
+	check_equal(drawn[0], 0, "frames drawn although none was requested")
 
 
-func test_what_it_cannot_show_is_told() -> void:
+func test_unsupported_input_is_reported() -> void:
 	var wind := PlantWind.new()
 	var material := ShaderMaterial.new()
 	material.shader = Shader.new()
@@ -93,7 +93,7 @@ func test_what_it_cannot_show_is_told() -> void:
 		check_error("apply_to_material() needs a material")
 
 
-func _blow() -> PlantWind:
+func _apply_wind() -> PlantWind:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_AIR
 	wind.speed = 12.0

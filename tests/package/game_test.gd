@@ -21,18 +21,18 @@ func _ready() -> void:
 func _run() -> void:
 	await get_tree().process_frame
 	_field = get_tree().current_scene.find_children("*", "PlantField3D", true, false)[0]
-	_tell("the field fills", await _fills())
-	_tell("its plants sway", await _sways())
+	_report("the field fills", await _fills())
+	_report("its plants sway", await _sways())
 	await _draw()
-	_tell("it is cut", _is_cut())
-	_tell("it is saved and loaded", await _is_saved())
+	_report("it is cut", _is_cut())
+	_report("it is saved and loaded", await _is_saved())
 	print("done %d" % TESTS)
 	await _wait(10)
 	OS.delay_msec(50)
 	get_tree().quit()
 
 
-func _tell(test: String, fault: String) -> void:
+func _report(test: String, fault: String) -> void:
 	print("ok " + test if fault.is_empty() else "not ok %s: %s" % [test, fault])
 
 
@@ -46,7 +46,7 @@ func _fills() -> String:
 	while _field.is_building() and Time.get_ticks_msec() < deadline:
 		await get_tree().process_frame
 	_count = _field.get_plant_count()
-	return "" if _count > 10000 and not _field.is_building() else "%d plants stand" % _count
+	return "" if _count > 10000 and not _field.is_building() else "%d plants exist" % _count
 
 
 func _sways() -> String:
@@ -83,7 +83,7 @@ func _is_cut() -> String:
 	var count := _field.get_plant_count()
 	if ids[0] in gone and are_gone and count == ids.size() - gone.size():
 		return ""
-	return "%d of %d stand, %d should be gone" % [count, ids.size(), gone.size()]
+	return "%d of %d exist, %d should be gone" % [count, ids.size(), gone.size()]
 
 
 ## Its motion comes back from a file, and the field from a scene that was saved.

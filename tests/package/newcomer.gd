@@ -14,7 +14,7 @@ func before_each() -> void:
 
 func test_a_field_grows_grass_at_once() -> void:
 	await start()
-	check(field.get_plant_count() > DENSITY * 8, "%d plants stand" % field.get_plant_count())
+	check(field.get_plant_count() > DENSITY * 8, "%d plants exist" % field.get_plant_count())
 
 
 func test_wind_bends_it() -> void:
@@ -35,7 +35,7 @@ func test_ready_species_winds_and_mixes_load() -> void:
 	mix.free()
 
 
-func test_a_plant_alone_stands_and_sways() -> void:
+func test_an_isolated_plant_sways() -> void:
 	var plant := Plant3D.new()
 	plant.species = TulipFunction.new()
 	plant.wind = field.wind

@@ -57,7 +57,7 @@ void tell(uint64_t seed, const char *what) {
 }
 
 /// All sanitizers end the program so, as SANITIZER_OPTIONS of tests/suites say.
-void tell_end(int) {
+void write_end(int) {
 	tell(present_seed, (std::string("ended by a sanitizer while ") + present_stage.load()).c_str());
 	std::_Exit(1);
 }
@@ -71,7 +71,7 @@ int main(int argument_count, char **arguments) {
 	const uint64_t first = number(1, 0);
 	const uint64_t count = number(2, 1000);
 	const uint64_t step = number(3, 1);
-	std::signal(SIGABRT, tell_end);
+	std::signal(SIGABRT, write_end);
 	begun = spent();
 	std::thread(watch).detach();
 	uint64_t grown = 0, failed = 0, slowest = first;

@@ -50,12 +50,12 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "field_skeletons": ["gl_compatibility", "forward_plus"],
          "field_levels": ["gl_compatibility", "forward_plus"],
          "field_widths": ["gl_compatibility", "forward_plus"],
-         "field_scaled": ["gl_compatibility"], "field_worn": ["gl_compatibility"],
+         "field_scaled": ["gl_compatibility"], "field_materials_in_use": ["gl_compatibility"],
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
 # The slowest scripts, which start first.
-SLOW = {"field_renewed", "species_levels", "hot_reload", "physics_thread"}
+SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread"}
 # Additional settings in the projects of some scripts.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",

@@ -102,5 +102,5 @@ def try_without(godot):
     library.unlink()
     output, _ = exporting.export("export:without", godot, PROJECT, "release", FOLDER / "without" / "game")
     told = [line for line in complaints(output) if MISSING in line and library.name in line]
-    wrong = [] if len(told) == 1 else [f"it was told {len(told)} times, not once"]
+    wrong = [] if len(told) == 1 else [f"it was reported {len(told)} times, not once"]
     return Result("without a library", int(not wrong), wrong)

@@ -19,7 +19,7 @@ def wrong(data, platform, arch=None, **options):
 
 
 class Libraries(unittest.TestCase):
-    def assert_told(self, sentence, data, platform, arch=None):
+    def assert_reported(self, sentence, data, platform, arch=None):
         found = wrong(data, platform, arch)
         self.assertEqual(len(found), 1, found)
         self.assertRegex(found[0], sentence)
@@ -33,52 +33,52 @@ class Libraries(unittest.TestCase):
 
     def test_what_is_no_library_or_half_of_one(self):
         for platform, (make, _) in SYSTEMS.items():
-            self.assert_told("it is no library", b"", platform)
-            self.assert_told("broken library", make()[:100], platform)
+            self.assert_reported("it is no library", b"", platform)
+            self.assert_reported("broken library", make()[:100], platform)
 
     def test_of_another_machine_or_system(self):
         for platform, (make, arch) in SYSTEMS.items():
             other = "arm64" if arch == "x86_64" else "x86_64"
-            self.assert_told(f"it is for {platform} on {arch}", make(), platform, other)
-            self.assert_told("another machine", make(machine=7), platform)
-        self.assert_told("it is for linux", elf(), "windows")
+            self.assert_reported(f"it is for {platform} on {arch}", make(), platform, other)
+            self.assert_reported("another machine", make(machine=7), platform)
+        self.assert_reported("it is for linux", elf(), "windows")
 
     def test_without_an_entry_or_with_more(self):
         for platform, (make, _) in SYSTEMS.items():
             self.assertRegex(wrong(make(exports=("other",)), platform)[0], f"does not export {ENTRY}")
-            self.assert_told(f"exports more than {ENTRY}: other", make(exports=(ENTRY, "other")), platform)
+            self.assert_reported(f"exports more than {ENTRY}: other", make(exports=(ENTRY, "other")), platform)
 
     def test_memory_is_shown_on_macos_only(self):
         self.assertEqual(wrong(macho(exports=(ENTRY, "_Znwm", "_ZdlPvSt11align_val_t")), "macos"), [])
-        self.assert_told("exports more", elf(exports=(ENTRY, "_Znwm")), "linux")
+        self.assert_reported("exports more", elf(exports=(ENTRY, "_Znwm")), "linux")
 
     def test_with_libraries_that_a_system_may_lack(self):
-        self.assert_told(r"may lack: libstdc\+\+", elf(needs=("libc.so.6", "libstdc++.so.6")), "linux")
-        self.assert_told("may lack: libwinpthread", pe(needs=("KERNEL32.dll", "libwinpthread-1.dll")), "windows")
-        self.assert_told("may lack: /opt/homebrew", macho(needs=("/opt/homebrew/lib/libglm.dylib",)), "macos")
+        self.assert_reported(r"may lack: libstdc\+\+", elf(needs=("libc.so.6", "libstdc++.so.6")), "linux")
+        self.assert_reported("may lack: libwinpthread", pe(needs=("KERNEL32.dll", "libwinpthread-1.dll")), "windows")
+        self.assert_reported("may lack: /opt/homebrew", macho(needs=("/opt/homebrew/lib/libglm.dylib",)), "macos")
 
     def test_for_newer_systems(self):
-        self.assert_told("GLIBC_2.34, newer than glibc 2.28", elf(versions=("GLIBC_2.17", "GLIBC_2.34")), "linux")
-        self.assert_told("GLIBCXX_3.4.29", elf(versions=("GLIBCXX_3.4.29",)), "linux")
-        self.assert_told("macOS 13.0, newer than 11.0", macho(oldest=(13, 0)), "macos")
+        self.assert_reported("GLIBC_2.34, newer than glibc 2.28", elf(versions=("GLIBC_2.17", "GLIBC_2.34")), "linux")
+        self.assert_reported("GLIBCXX_3.4.29", elf(versions=("GLIBCXX_3.4.29",)), "linux")
+        self.assert_reported("macOS 13.0, newer than 11.0", macho(oldest=(13, 0)), "macos")
 
     def test_that_leaves_its_destructors_to_the_end_of_the_engine(self):
-        self.assert_told("__cxa_finalize", elf(imports=("malloc",)), "linux")
+        self.assert_reported("__cxa_finalize", elf(imports=("malloc",)), "linux")
 
     def test_unsigned_or_changed_after_it_was_signed(self):
-        self.assert_told("signature does not hold: it has none", macho(is_signed=False), "macos")
+        self.assert_reported("signature does not hold: it has none", macho(is_signed=False), "macos")
         signed = macho(extra=b"text")
-        self.assert_told("page 0 is not what was signed", signed.replace(b"text", b"next"), "macos")
+        self.assert_reported("page 0 is not what was signed", signed.replace(b"text", b"next"), "macos")
 
     def test_with_symbols_that_lead_nowhere(self):
-        self.assert_told("1 of its indirect symbols", macho(indirect=(0, 5000)), "macos")
+        self.assert_reported("1 of its indirect symbols", macho(indirect=(0, 5000)), "macos")
 
     def test_that_calls_itself_by_a_path(self):
-        self.assert_told("calls itself build/lib.dylib", macho(name="build/lib.dylib"), "macos")
+        self.assert_reported("calls itself build/lib.dylib", macho(name="build/lib.dylib"), "macos")
 
     def test_with_a_path_of_the_machine_that_built_it(self):
         for platform, (make, _) in SYSTEMS.items():
-            self.assert_told("path of the machine", make(extra=PATH.encode() + b"glm.hpp\0"), platform)
+            self.assert_reported("path of the machine", make(extra=PATH.encode() + b"glm.hpp\0"), platform)
 
     def test_for_this_machine_alone_it_may_need_what_that_has(self):
         data = elf(needs=("libstdc++.so.6",), versions=("GLIBC_2.38",), imports=())

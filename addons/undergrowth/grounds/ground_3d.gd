@@ -12,6 +12,10 @@ const MASK_SIZE := 128
 const MASK_PLANTS := 20000
 const SEGMENTS := 12
 const SEEDS := 3
+## Layers of height by which tall plants hide low ones.
+const LAYERS := 48
+## Extinction of the view per m² of leaves on a m² of ground, for a view 6.5° below the horizon.
+const EXTINCTION := 1.0 / 0.113
 
 ## The field on this ground.
 @export var field: PlantField3D
@@ -44,23 +48,42 @@ func _process(_delta: float) -> void:
 ## Gives [param material] the mean colour of the plants of [param of_field]:
 ## [code]field_color[/code] and [code]field_translucency[/code].
 static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> void:
-	var sum := Vector4.ZERO
-	var area := 0.0
+	var weights := 0.0
 	for entry in of_field.species:
-		if entry == null or entry.species == null:
+		weights += entry.weight if entry != null and entry.species != null else 0.0
+	var meshes: Array[Array] = []  # Each with the size and the density of its plants.
+	var tallest := 1e-6
+	for entry in of_field.species:
+		if entry == null or entry.species == null or weights <= 0.0:
 			continue
 		var size := (entry.scale_range.x + entry.scale_range.y) * 0.5
-		var weight := entry.weight * entry.density_factor * size * size
+		var density := of_field.density * entry.density_factor * entry.weight / weights
 		for i in SEEDS:
 			var mesh := entry.species.generate_mesh(0.0, SEGMENTS, i + 1)
-			weight *= mesh.get_aabb().size.y if i == 0 else 1.0  # Tall plants hide low ones.
-			for surface in mesh.get_surface_count():
-				var found := _measure(mesh.surface_get_arrays(surface))
-				sum += weight * (found[0] as Vector4)
-				area += weight * (found[1] as float)
-	if area <= 0.0:
+			if mesh == null:
+				break  # The species has an error, which it reports.
+			tallest = maxf(tallest, mesh.get_aabb().end.y * size)
+			meshes.append([mesh, size, density / SEEDS])
+	var layers: Array[Layer] = []
+	for i in LAYERS:
+		layers.append(Layer.new())
+	for of_mesh in meshes:
+		var mesh: ArrayMesh = of_mesh[0]
+		for surface in mesh.get_surface_count():
+			_add_triangles(
+				mesh.surface_get_arrays(surface), of_mesh[1], of_mesh[2], tallest, layers
+			)
+	var sum := Layer.new()
+	var above := 0.0
+	for i in LAYERS:  # Each layer hides the ones below it.
+		var layer := layers[LAYERS - 1 - i]
+		var seen := exp(-EXTINCTION * (above + 0.5 * layer.area))
+		sum.color += seen * layer.color
+		sum.area += seen * layer.area
+		above += layer.area
+	if sum.area <= 0.0:
 		return
-	var mean := sum / area
+	var mean := sum.color / sum.area
 	var color := Color(mean.x, mean.y, mean.z).linear_to_srgb()
 	material.set_shader_parameter(&"field_color", color)
 	material.set_shader_parameter(&"field_translucency", mean.w)
@@ -69,6 +92,9 @@ static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> voi
 ## Gives [param material] the density of the plants of [param of_field]: [code]field_mask[/code] and
 ## [code]field_area[/code]. Call it after [signal PlantField3D.build_finished].
 static func apply_density(material: ShaderMaterial, of_field: PlantField3D) -> void:
+	if not of_field.is_inside_tree():
+		push_error("apply_density() needs the field in the tree. Add it first.")
+		return
 	var ids := of_field.get_plant_ids()
 	var step := maxi(1, ids.size() / MASK_PLANTS)
 	var places := PackedVector2Array()
@@ -93,28 +119,30 @@ func _show_density() -> void:
 	_material.set_shader_parameter(&"field_beyond", 0.0)
 
 
-# Returns the sums over the triangles of a surface: area times linear colour and translucency, and
-# area.
-static func _measure(arrays: Array) -> Array:
+# Adds the triangles of a surface to layers of height, for `density` plants/m² of this size.
+static func _add_triangles(
+	arrays: Array, size: float, density: float, tallest: float, layers: Array[Layer]
+) -> void:
 	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
 	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
 	var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
-	var own: PackedFloat32Array = PackedFloat32Array()
+	var own := PackedFloat32Array()
 	if arrays[Mesh.ARRAY_CUSTOM0] != null:
 		own = arrays[Mesh.ARRAY_CUSTOM0]
-	var sum := Vector4.ZERO
-	var whole := 0.0
+	var has_parts := own.size() == 4 * points.size()  # Other plants have one number per vertex.
 	for i in range(0, indices.size(), 3):
 		var a := points[indices[i]]
 		var edges := (points[indices[i + 1]] - a).cross(points[indices[i + 2]] - a)
-		var area := 0.5 * edges.length()
-		whole += area
+		var area := 0.5 * edges.length() * size * size * density
+		var height := (a.y + points[indices[i + 1]].y + points[indices[i + 2]].y) * size / 3.0
+		var number := clampi(int(height / tallest * LAYERS), 0, LAYERS - 1)
+		var layer := layers[number]
+		layer.area += area
 		for corner in 3:
 			var vertex := indices[i + corner]
 			var color := colors[vertex].srgb_to_linear()
-			var through := own[4 * vertex + 3] if own else 0.0
-			sum += Vector4(color.r, color.g, color.b, through) * (area / 3.0)
-	return [sum, whole]
+			var through := own[4 * vertex + 3] if has_parts else 0.0
+			layer.color += Vector4(color.r, color.g, color.b, through) * (area / 3.0)
 
 
 # A smooth picture of the number of places, 1 at their mean.
@@ -124,7 +152,9 @@ static func _count(places: PackedVector2Array, area: Rect2) -> Image:
 	counts.resize(side * side)
 	for place in places:
 		var at := ((place - area.position) / area.size * side).floor()
-		counts[mini(int(at.y), side - 1) * side + mini(int(at.x), side - 1)] += 1.0
+		# An area of plants farther apart than 1e18 m has an infinite size.
+		var cell := Vector2i(at).clamp(Vector2i.ZERO, Vector2i(side - 1, side - 1))
+		counts[cell.y * side + cell.x] += 1.0
 	var used := 0
 	for count in counts:
 		used += 1 if count > 0.0 else 0
@@ -137,3 +167,9 @@ static func _count(places: PackedVector2Array, area: Rect2) -> Image:
 	image.convert(Image.FORMAT_R8)
 	image.generate_mipmaps()
 	return image
+
+
+# The parts of plants at one height, on a m² of ground: area (m²), linear colour, translucency.
+class Layer:
+	var area := 0.0
+	var color := Vector4.ZERO

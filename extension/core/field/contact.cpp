@@ -207,7 +207,7 @@ template <class Pages> void TipContact::separate_one(Pages &field, const SortedT
 	const uint32_t tip = own.tip;
 	MotionPage &page = field.page(page_of(tip));
 	glm::vec3 move = { 0.0f, 0.0f, 0.0f };
-	glm::vec3 blow = { 0.0f, 0.0f, 0.0f };
+	glm::vec3 faster = { 0.0f, 0.0f, 0.0f };
 	for_each_contact(field, own, [&](uint32_t other, const glm::vec3 &offset, float distance, float wanted) {
 		const float other_mass = field.page(page_of(other)).mass();
 		const float share =
@@ -217,18 +217,18 @@ template <class Pages> void TipContact::separate_one(Pages &field, const SortedT
 				distance > 0.0f ? offset / distance : glm::vec3(tip < other ? 1.0f : -1.0f, 0.0f, 0.0f);
 		move += share * (wanted - distance) * normal;
 		const float approach = glm::dot(vectors[tip] - vectors[other], normal);
-		blow -= share * std::min(approach, 0.0f) * normal;
+		faster -= share * std::min(approach, 0.0f) * normal;
 	});
 	const int index = index_of(tip);
 	const PageFrame &frame = frame_of(field, page_of(tip));
 	move = frame.inward(move);
 	if (page.law() == Law::stem) {
-		page.move_tip(index, move, frame.inward(blow));
+		page.move_tip(index, move, frame.inward(faster));
 		return;
 	}
 	TipState state = page.state(index);
 	const glm::vec3 along = move - glm::dot(move, state.direction) * state.direction;
-	state.rate += frame.inward(blow) / page.length(index);
+	state.rate += frame.inward(faster) / page.length(index);
 	state.direction += along / page.length(index);
 	state.direction.y = std::max(state.direction.y, MIN_PUSHED_HEIGHT);
 	page.set_state(index, state);

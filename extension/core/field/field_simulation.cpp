@@ -446,9 +446,9 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 	if (plants.law() == Law::stem) {
 		const StemConstants &stem = models[static_cast<std::size_t>(plants.species())].stem_constants();
 		const glm::vec2 calm = rest_bend(page, index);
-		StemState blown = stem_state(stem, pushed.tip, calm, pushed.second);
-		blow_on_stem(stem, blown, 1.0f, turned(impulse, -calm), stem.length / plants.length(index));
-		pushed = { tip_state(stem, blown, calm), second_of(stem, blown, calm) };
+		StemState state = stem_state(stem, pushed.tip, calm, pushed.second);
+		apply_stem_impulse(stem, state, 1.0f, turned(impulse, -calm), stem.length / plants.length(index));
+		pushed = { tip_state(stem, state, calm), second_of(stem, state, calm) };
 	} else {
 		pushed.tip.rate += impulse / (plants.mass() * plants.length(index));
 	}

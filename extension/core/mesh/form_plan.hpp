@@ -24,7 +24,7 @@ struct BodyDetail {
 /// Detail of one group at one level.
 struct GroupPlan {
 	PartDetail detail;
-	float kept = 1.0f; ///< Fraction of its parts, by rank; 0: none.
+	float density = 1.0f; ///< Fraction of its parts, by rank; 0: none.
 	/// The body that replaces all parts on a carrier and everything on them. Without sides, parts are drawn.
 	BodyDetail body;
 };

@@ -15,8 +15,8 @@ struct Influence {
 	float weight = 0.0f;
 };
 
-constexpr int KEPT = 4;
-constexpr int MAX_INFLUENCES = KEPT + 2;
+constexpr int STORED_INFLUENCES = 4;
+constexpr int MAX_INFLUENCES = STORED_INFLUENCES + 2;
 
 } // namespace
 
@@ -26,20 +26,21 @@ static void bind_vertex(int joints, const float *place, int32_t *bones, float *w
 	const float x = place != nullptr ? *place : by_tip;
 	const StemBinding stem = bind_to_stem(joints, x);
 	std::array<Influence, MAX_INFLUENCES> all;
-	for (size_t i = 0; i < KEPT; i++) {
+	for (size_t i = 0; i < STORED_INFLUENCES; i++) {
 		const int link = stem.bones[i];
 		all[i] = { link == 0 ? FormBones::ROOT : FormBones::TIP + link, stem.weights[i] * of_stem };
 	}
 	for (size_t i = 0; i < 2; i++) { // Bones of parts; a bone without weight may be any.
-		all[KEPT + i] = { weights[2 + i] > 0.0f ? bones[2 + i] + joints : FormBones::ROOT, weights[2 + i] };
+		all[STORED_INFLUENCES + i] = { weights[2 + i] > 0.0f ? bones[2 + i] + joints : FormBones::ROOT,
+			weights[2 + i] };
 	}
 	std::stable_sort(
 			all.begin(), all.end(), [](const Influence &a, const Influence &b) { return a.weight > b.weight; });
 	float sum = 0.0f;
-	for (size_t i = 0; i < KEPT; i++) {
+	for (size_t i = 0; i < STORED_INFLUENCES; i++) {
 		sum += all[i].weight;
 	}
-	for (size_t i = 0; i < KEPT; i++) {
+	for (size_t i = 0; i < STORED_INFLUENCES; i++) {
 		bones[i] = all[i].bone;
 		weights[i] = all[i].weight / sum;
 	}

@@ -157,14 +157,14 @@ void OutlineFit::limit(size_t number, Ways &widths) const {
 
 void OutlineFit::keep() {
 	for (Unit &unit : units) {
-		unit.kept = unit.widths;
+		unit.saved = unit.widths;
 	}
 }
 
 void OutlineFit::finish() {
 	for (size_t u = 0; u < units.size(); u++) {
-		units[u].widths = units[u].kept;
-		apply(u, units[u].kept);
+		units[u].widths = units[u].saved;
+		apply(u, units[u].saved);
 	}
 }
 

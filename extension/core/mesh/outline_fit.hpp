@@ -47,7 +47,7 @@ private:
 		std::array<std::array<float, STRETCHES>, OUTLINES> change = {};
 		Ways weight = {}; ///< Weight of a change: larger changes more.
 		Ways widths = {}; ///< Present changes, relative to what was written.
-		Ways kept = {};
+		Ways saved = {};
 		size_t bundle = 0; ///< Number of the group of units that a search changes together.
 	};
 

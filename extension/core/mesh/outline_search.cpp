@@ -12,7 +12,7 @@ namespace undergrowth {
 namespace {
 
 constexpr int ROUNDS = 8;
-constexpr int LOOKED_AT = 40000; // Number of vertices in all measurements together.
+constexpr int MAX_MEASURED_VERTICES = 40000; // Number of vertices in all measurements together.
 constexpr int MIN_EVALUATIONS = 120;
 constexpr int MAX_EVALUATIONS = 1200;
 constexpr int TRIES = 4; // Attempts along one round's direction, each shorter.
@@ -84,7 +84,7 @@ struct OutlineFit::Sought {
 	const SightBox &box;
 	const Outlines &wanted;
 	size_t bundles;
-	int looks; ///< Remaining measurements.
+	int evaluations; ///< Remaining measurements.
 	float damping = FIRST_DAMPING;
 	std::vector<Ways> from; ///< Widths of units at the beginning of a round.
 	std::vector<float> weights; ///< By number (the ways of each bundle): larger weights change more.
@@ -109,7 +109,7 @@ size_t OutlineFit::bundle() {
 
 /// Returns the error of each outline.
 Outlines OutlineFit::evaluate(Sought &sought) const {
-	sought.looks--;
+	sought.evaluations--;
 	const SeenMesh seen = { mesh.positions, written.back().vertex, mesh.indices, written.back().index };
 	Outlines errors = outline_areas(seen, sought.box);
 	for (size_t side = 0; side < OUTLINES; side++) {
@@ -204,7 +204,7 @@ std::vector<float> OutlineFit::bundle_weights(size_t bundles) const {
 void OutlineFit::go_on(Sought &sought, float goal, float &worst) {
 	Outlines errors = evaluate(sought);
 	sought.damping = FIRST_DAMPING;
-	for (int round = 0; round < ROUNDS && worst > goal && sought.looks > 0; round++) {
+	for (int round = 0; round < ROUNDS && worst > goal && sought.evaluations > 0; round++) {
 		sought.from.clear();
 		for (const Unit &unit : units) {
 			sought.from.push_back(unit.widths);
@@ -222,12 +222,13 @@ void OutlineFit::go_on(Sought &sought, float goal, float &worst) {
 
 void OutlineFit::search(const SightBox &box, const Outlines &wanted, float goal, float &worst) {
 	const size_t bundles = bundle();
-	const int looks = std::clamp(LOOKED_AT / std::max(written.back().vertex, 1), MIN_EVALUATIONS, MAX_EVALUATIONS);
-	Sought sought = { box, wanted, bundles, looks, FIRST_DAMPING, {}, bundle_weights(bundles), {} };
+	const int evaluations =
+			std::clamp(MAX_MEASURED_VERTICES / std::max(written.back().vertex, 1), MIN_EVALUATIONS, MAX_EVALUATIONS);
+	Sought sought = { box, wanted, bundles, evaluations, FIRST_DAMPING, {}, bundle_weights(bundles), {} };
 	finish();
 	go_on(sought, goal, worst);
 	for (const float turn : TURNS) { // Some local minima of the error have no way out.
-		if (worst < ALLOWED || sought.looks <= 0) {
+		if (worst < ALLOWED || sought.evaluations <= 0) {
 			break;
 		}
 		for (size_t u = 0; u < units.size(); u++) {
@@ -243,8 +244,8 @@ void OutlineFit::search(const SightBox &box, const Outlines &wanted, float goal,
 /// Normals turn with the sheets.
 void OutlineFit::turn_normals() {
 	for (size_t u = 0; u < units.size(); u++) {
-		const HalfTurn turn(units[u].kept[TURN]);
-		for (int i = written[u].vertex; i < written[u + 1].vertex && units[u].kept[TURN] != 0.0f; i++) {
+		const HalfTurn turn(units[u].saved[TURN]);
+		for (int i = written[u].vertex; i < written[u + 1].vertex && units[u].saved[TURN] != 0.0f; i++) {
 			mesh.normals[i] = glm::normalize(turn.of(mesh.normals[i]));
 		}
 	}

@@ -35,11 +35,11 @@ float body_error(const PartGroup &group, const BodyDetail &detail) {
 
 } // namespace
 
-float PlanSteps::thin_error(const State &state, size_t kept) const {
+float PlanSteps::thin_error(const State &state, size_t density) const {
 	const size_t group = static_cast<size_t>(&state - states.data());
-	if (KEPT[kept] > 0.0f) {
+	if (DENSITIES[density] > 0.0f) {
 		const bool is_whorl = form.groups[group].layout == Layout::whorl;
-		const float left = static_cast<float>(state.left[kept]);
+		const float left = static_cast<float>(state.left[density]);
 		const float thinned = static_cast<float>(state.left[0]) / left - 1.0f;
 		const bool is_tuft = form.groups[group].layout == Layout::ground;
 		const float tuft = is_tuft ? std::min(THINNED_TUFT * thinned, MAX_TUFT) : 0.0f;
@@ -63,10 +63,11 @@ float PlanSteps::dropped_area(const State &state) const {
 
 float PlanSteps::own_error(const State &state) const {
 	const float flat = state.is_stem && state.details[state.detail].columns == 2 ? FLAT_STEM : 0.0f;
-	return state.area * (state.errors[state.detail] + flat + thin_error(state, state.kept));
+	return state.area * (state.errors[state.detail] + flat + thin_error(state, state.density));
 }
 
-void PlanSteps::offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const {
+void PlanSteps::offer(
+		Step &best, int group, size_t detail, size_t density, size_t body, float saved, float harm) const {
 	if (saved < 0.5f) {
 		return;
 	}
@@ -76,7 +77,7 @@ void PlanSteps::offer(Step &best, int group, size_t detail, size_t kept, size_t 
 		best.price = price;
 		best.saved = saved;
 		best.next.detail = detail;
-		best.next.kept = kept;
+		best.next.density = density;
 		best.next.body = body;
 	}
 }
@@ -89,30 +90,31 @@ void PlanSteps::offer_details(Step &best, int group, int excess) const {
 				state.is_stem && state.details[detail].columns == 2 && state.details[state.detail].columns > 2;
 		const float harm =
 				state.area * (state.errors[detail] - state.errors[state.detail] + (turns_flat ? FLAT_STEM : 0.0f));
-		offer(best, group, detail, state.kept, state.body, static_cast<float>(std::min(saved, excess)), harm);
+		offer(best, group, detail, state.density, state.body, static_cast<float>(std::min(saved, excess)), harm);
 	}
 }
 
 void PlanSteps::offer_thinning(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
-	for (size_t kept = state.kept + 1; kept < state.kept_end && KEPT[state.kept] > 0.0f; kept++) {
-		if (state.body > 0 && KEPT[kept] > 0.0f) {
-			offer_few(best, group, kept, excess); // A body replaces all of its parts.
+	for (size_t density = state.density + 1; density < state.density_end && DENSITIES[state.density] > 0.0f;
+			density++) {
+		if (state.body > 0 && DENSITIES[density] > 0.0f) {
+			offer_few(best, group, density, excess); // A body replaces all of its parts.
 			continue;
 		}
-		if (KEPT[kept] == 0.0f && state.branch_vertices == total) {
+		if (DENSITIES[density] == 0.0f && state.branch_vertices == total) {
 			continue; // Every plant needs something visible.
 		}
-		const float left = static_cast<float>(state.left[kept]) / static_cast<float>(state.left[state.kept]);
+		const float left = static_cast<float>(state.left[density]) / static_cast<float>(state.left[state.density]);
 		const float saved = static_cast<float>(state.branch_vertices) * (1.0f - left);
-		const float area = KEPT[kept] == 0.0f ? dropped_area(state) : state.branch_area;
-		const float harm = area * (thin_error(state, kept) - thin_error(state, state.kept));
-		offer(best, group, state.detail, kept, state.body, std::min(saved, static_cast<float>(excess)), harm);
+		const float area = DENSITIES[density] == 0.0f ? dropped_area(state) : state.branch_area;
+		const float harm = area * (thin_error(state, density) - thin_error(state, state.density));
+		offer(best, group, state.detail, density, state.body, std::min(saved, static_cast<float>(excess)), harm);
 	}
 }
 
 /// Offers a few parts of the lowest detail instead of a body.
-void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const {
+void PlanSteps::offer_few(Step &best, int group, size_t density, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
 	const bool carries = state.branch_area > state.area;
@@ -123,11 +125,11 @@ void PlanSteps::offer_few(Step &best, int group, size_t kept, int excess) const 
 	if (carries || is_flower || own.layout == Layout::disc || own.layout == Layout::whorl || state.bodies == 0) {
 		return; // A carrier is more than its parts, and flowers stay whole.
 	}
-	const int saved = state.branch_vertices - state.left[kept] * state.costs.back();
+	const int saved = state.branch_vertices - state.left[density] * state.costs.back();
 	const float harm = state.area *
-			(thin_error(state, kept) + state.errors.back() - body_error(own, BODIES[state.body]) - MERGED -
+			(thin_error(state, density) + state.errors.back() - body_error(own, BODIES[state.body]) - MERGED -
 					UNCOVERED * (1.0f - state.cover));
-	offer(best, group, state.details.size() - 1, kept, 0, static_cast<float>(std::min(saved, excess)),
+	offer(best, group, state.details.size() - 1, density, 0, static_cast<float>(std::min(saved, excess)),
 			std::max(harm, 0.0f));
 }
 
@@ -175,7 +177,7 @@ void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess
 	std::vector<int> dropped(twins.size(), 0);
 	for (const Step &step : steps) {
 		const State &state = states[static_cast<size_t>(step.group)];
-		const bool drops = KEPT[step.next.kept] == 0.0f && step.next.body == 0;
+		const bool drops = DENSITIES[step.next.density] == 0.0f && step.next.body == 0;
 		const int drawn = twins[state.twins].drawn;
 		if (step.price > NEARLY * best.price || left <= 0.0f) {
 			break;
@@ -198,7 +200,7 @@ void PlanSteps::take_many(std::vector<Step> &steps, const Step &best, int excess
 
 bool PlanSteps::take_best(int budget) {
 	const int excess = total - budget;
-	for (size_t tries = 0; tries <= KEPT_COUNT * states.size(); tries++) {
+	for (size_t tries = 0; tries <= DENSITY_COUNT * states.size(); tries++) {
 		Step best;
 		std::vector<Step> steps;
 		evaluated += static_cast<int64_t>(states.size());
@@ -224,7 +226,7 @@ bool PlanSteps::take_best(int budget) {
 			return true;
 		}
 		// Parts of several groups may carry other parts together; dropping one group may then remove everything.
-		states[static_cast<size_t>(best.group)].kept_end = best.next.kept;
+		states[static_cast<size_t>(best.group)].density_end = best.next.density;
 		draw(static_cast<size_t>(best.group), before);
 		recount();
 	}

@@ -13,7 +13,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float STANDS_OUT = 6.0f; // Times the squared distance of a colour to the plant's mean.
+constexpr float CONTRAST_WEIGHT = 6.0f; // Times the squared distance of a colour to the plant's mean.
 
 /// Returns the fraction of a group's body that its parts fill.
 float cover_of(const PartGroup &group, const Part &part) {
@@ -53,13 +53,13 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, bool
 	recount();
 }
 
-/// Counts the parts of a group that each entry of KEPT leaves.
+/// Counts the parts of a group that each entry of DENSITIES leaves.
 void PlanSteps::count_left(size_t group) {
 	const PartGroup &own = form.groups[group];
-	states[group].left.assign(KEPT_COUNT, 0);
+	states[group].left.assign(DENSITY_COUNT, 0);
 	for (int i = own.first; i < own.first + own.count; i++) {
-		for (size_t kept = 0; kept < KEPT_COUNT; kept++) {
-			states[group].left[kept] += form.placed[static_cast<size_t>(i)].rank < KEPT[kept] ? 1 : 0;
+		for (size_t density = 0; density < DENSITY_COUNT; density++) {
+			states[group].left[density] += form.placed[static_cast<size_t>(i)].rank < DENSITIES[density] ? 1 : 0;
 		}
 	}
 }
@@ -98,7 +98,7 @@ void PlanSteps::find_worths() {
 	}
 	for (size_t g = 0; g < states.size(); g++) {
 		const glm::vec3 way(measure.colors[static_cast<size_t>(form.groups[g].kind)] - mean / whole);
-		states[g].worth = 1.0f + STANDS_OUT * glm::dot(way, way);
+		states[g].worth = 1.0f + CONTRAST_WEIGHT * glm::dot(way, way);
 		states[g].area *= states[g].worth;
 	}
 }
@@ -115,7 +115,7 @@ void PlanSteps::recount() {
 		State &state = states[static_cast<size_t>(part.group)];
 		const size_t carrier = static_cast<size_t>(std::max(part.carrier, 0));
 		const FormPlan::Fate fate = part.carrier == ON_GROUND ? FormPlan::drawn : fates[carrier];
-		if (fate == FormPlan::dropped || (fate == FormPlan::drawn && !(part.rank < KEPT[state.kept]))) {
+		if (fate == FormPlan::dropped || (fate == FormPlan::drawn && !(part.rank < DENSITIES[state.density]))) {
 			fates[i] = FormPlan::dropped;
 		} else if (fate == FormPlan::merged) {
 			fates[i] = FormPlan::merged;
@@ -164,14 +164,14 @@ void PlanSteps::add_up_branches() {
 }
 
 /// Returns the number of parts of a group that would be drawn as parts with this fraction.
-int PlanSteps::count_drawn(size_t group, float share) const {
+int PlanSteps::count_drawn(size_t group, float density) const {
 	const PartGroup &own = form.groups[group];
 	int count = 0;
 	for (size_t i = static_cast<size_t>(own.first); i < static_cast<size_t>(own.first + own.count); i++) {
 		const PlacedPart &part = form.placed[i];
 		const bool is_supported =
 				part.carrier == ON_GROUND || fates[static_cast<size_t>(part.carrier)] == FormPlan::drawn;
-		count += is_supported && part.rank < share ? 1 : 0;
+		count += is_supported && part.rank < density ? 1 : 0;
 	}
 	return count;
 }
@@ -184,7 +184,7 @@ bool PlanSteps::could_fit(size_t group, const Drawn &next, int room) const {
 	}
 	const int bodies_now = state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
 	const int finer = next.body > 0 ? state.bodies * count_body(form.groups[group], BODIES[next.body]).vertices
-									: count_drawn(group, KEPT[next.kept]) * state.costs[next.detail];
+									: count_drawn(group, DENSITIES[next.density]) * state.costs[next.detail];
 	return finer - (next.body > 0 ? bodies_now : state.parts * state.costs[state.detail]) <= room;
 }
 
@@ -221,16 +221,16 @@ bool PlanSteps::give_back(int budget) {
 
 /// One step finer: all parts before finer parts.
 bool PlanSteps::step_back(State &state) const {
-	if (KEPT[state.kept] == 0.0f) { // A body replaces all parts.
-		state.kept = state.body > 0 ? 0 : state.kept - 1;
+	if (DENSITIES[state.density] == 0.0f) { // A body replaces all parts.
+		state.density = state.body > 0 ? 0 : state.density - 1;
 	} else if (state.body == 0 && state.parts == 0) {
 		return false;
 	} else if (state.body > 1) {
 		state.body--;
 	} else if (state.body == 1) {
 		return false; // Drawing parts again would exceed the budget.
-	} else if (state.kept > 0) {
-		state.kept--;
+	} else if (state.density > 0) {
+		state.density--;
 	} else if (state.detail > 0) {
 		state.detail--;
 	} else {
@@ -273,7 +273,7 @@ FormPlan PlanSteps::finish() {
 	for (size_t g = 0; g < states.size(); g++) {
 		const State &state = states[g];
 		const PartDetail &detail = state.details[state.detail];
-		plan.groups.push_back({ detail, KEPT[state.kept], BODIES[state.body] });
+		plan.groups.push_back({ detail, DENSITIES[state.density], BODIES[state.body] });
 		const MeshCounts part = count_part(form.parts[static_cast<size_t>(form.groups[g].kind)], detail);
 		plan.counts.vertices += own_vertices(g);
 		plan.counts.indices +=

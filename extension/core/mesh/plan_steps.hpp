@@ -9,9 +9,9 @@ namespace undergrowth {
 inline constexpr float HALF_SPHERE = 1.75f; // rad: domes above this are drawn as whole spheres.
 
 /// Fractions of the parts that remain; the last is none.
-inline constexpr float KEPT[] = { 1.0f, 0.8f, 0.65f, 0.5f, 0.42f, 0.34f, 0.25f, 0.18f, 0.12f, 0.07f, 0.04f, 0.02f,
+inline constexpr float DENSITIES[] = { 1.0f, 0.8f, 0.65f, 0.5f, 0.42f, 0.34f, 0.25f, 0.18f, 0.12f, 0.07f, 0.04f, 0.02f,
 	0.01f, 0.005f, 0.001f, 0.0002f, 0.0f };
-inline constexpr size_t KEPT_COUNT = sizeof(KEPT) / sizeof(KEPT[0]);
+inline constexpr size_t DENSITY_COUNT = sizeof(DENSITIES) / sizeof(DENSITIES[0]);
 inline constexpr BodyDetail BODIES[] = { { 0, 0 }, { 8, 2 }, { 6, 2 }, { 5, 2 }, { 4, 2 }, { 5, 1 }, { 4, 1 },
 	{ 3, 1 } };
 inline constexpr size_t BODY_COUNT = sizeof(BODIES) / sizeof(BODIES[0]);
@@ -39,7 +39,7 @@ private:
 	/// Detail of a group.
 	struct Drawn {
 		size_t detail = 0;
-		size_t kept = 0; ///< Index in KEPT.
+		size_t density = 0; ///< Index in DENSITIES.
 		size_t body = 0; ///< Index in BODIES; 0: no body.
 	};
 	/// Present detail of a group.
@@ -51,11 +51,11 @@ private:
 		int bodies = 0;
 		float area = 0.0f; ///< Shown area of all its parts (m²).
 		bool is_stem = false; ///< True if it grows from the ground and carries parts.
-		std::vector<int> left; ///< Remaining parts for each entry of KEPT.
+		std::vector<int> left; ///< Remaining parts for each entry of DENSITIES.
 		float contrast = 0.0f; ///< Squared distance of its colour to the nearest colour of another part.
 		float worth = 1.0f; ///< Weight of its area: larger for a conspicuous colour, as of flowers.
 		float cover = 1.0f; ///< Fraction of a body's silhouette that its parts cover.
-		size_t kept_end = KEPT_COUNT; ///< From this index on, nothing of the plant would be visible.
+		size_t density_end = DENSITY_COUNT; ///< From this index on, nothing of the plant would be visible.
 		int bodies_left = 0; ///< Number of times a few parts replaced its bodies.
 		std::vector<size_t> carried; ///< Groups carried by this group only.
 		size_t twins = 0; ///< Index in `twins`.
@@ -97,19 +97,19 @@ private:
 	float dropped_area(const State &state) const;
 	void add_up_branches();
 	float own_error(const State &state) const;
-	float thin_error(const State &state, size_t kept) const;
+	float thin_error(const State &state, size_t density) const;
 	bool has_twin(int group) const;
 	void pass_on(std::vector<float> &shown) const;
 	int own_vertices(size_t group) const;
 	Step find_best(int group, int excess) const;
 	void take(const Step &step);
 	void take_many(std::vector<Step> &steps, const Step &best, int excess);
-	int count_drawn(size_t group, float share) const;
+	int count_drawn(size_t group, float density) const;
 	bool could_fit(size_t group, const Drawn &next, int room) const;
-	void offer(Step &best, int group, size_t detail, size_t kept, size_t body, float saved, float harm) const;
+	void offer(Step &best, int group, size_t detail, size_t density, size_t body, float saved, float harm) const;
 	void offer_details(Step &best, int group, int excess) const;
 	void offer_thinning(Step &best, int group, int excess) const;
-	void offer_few(Step &best, int group, size_t kept, int excess) const;
+	void offer_few(Step &best, int group, size_t density, int excess) const;
 	void offer_body(Step &best, int group, int excess) const;
 };
 

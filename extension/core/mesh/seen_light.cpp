@@ -132,7 +132,7 @@ std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box) {
 	std::vector<float> shares(static_cast<size_t>(mesh.vertex_count), 0.0f);
 	int count = 0;
 	for (size_t side = 0; side < OUTLINES; side++) {
-		lens.look_from(side);
+		lens.set_view(side);
 		for (size_t i = 0; i < triangles.size(); i++) {
 			const int32_t *at = mesh.indices + triangles[i].first;
 			planes[i] = shares_of(lens, at);

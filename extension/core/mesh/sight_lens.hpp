@@ -30,9 +30,9 @@ public:
 		int first; ///< Index of its first corner in the mesh's indices.
 	};
 	/// In the order of the mesh; all other triangles are never visible.
-	const std::vector<Triangle> &triangles() const { return standing; }
+	const std::vector<Triangle> &triangles() const { return upright; }
 	/// Projects all points for one outline.
-	void look_from(size_t side);
+	void set_view(size_t side);
 	const Corner &corner(int32_t vertex) const { return corners[static_cast<size_t>(vertex)]; }
 
 private:
@@ -44,7 +44,7 @@ private:
 	float ground; ///< Lower end of the box (m).
 	int half, height;
 	std::vector<Corner> corners;
-	std::vector<Triangle> standing;
+	std::vector<Triangle> upright;
 
 	void find_triangles();
 };

@@ -41,7 +41,7 @@ private:
 };
 
 float area_of_side(SightLens &lens, size_t side, Outline &outline) {
-	lens.look_from(side);
+	lens.set_view(side);
 	outline.clear();
 	for (const SightLens::Triangle &triangle : lens.triangles()) {
 		const TriangleEdges edges(lens, triangle);
@@ -85,7 +85,7 @@ void SightLens::find_triangles() {
 	for (size_t i = 0; i < corners.size(); i++) {
 		corners[i].y = (mesh.positions[i].y - ground) * up + low;
 	}
-	standing.reserve(static_cast<size_t>(mesh.index_count / 3));
+	upright.reserve(static_cast<size_t>(mesh.index_count / 3));
 	for (int i = 0; i < mesh.index_count; i += 3) {
 		const int32_t *at = mesh.indices + i;
 		Triangle triangle = { { at[0], at[1], at[2] }, 0, 0, i };
@@ -100,12 +100,12 @@ void SightLens::find_triangles() {
 		triangle.begin = first_beyond(corner(triangle.corners[0]).y);
 		triangle.end = std::min(height, first_beyond(corner(triangle.corners[2]).y));
 		if (triangle.begin < triangle.end) { // Most small triangles lie between two rows.
-			standing.push_back(triangle);
+			upright.push_back(triangle);
 		}
 	}
 }
 
-void SightLens::look_from(size_t side) {
+void SightLens::set_view(size_t side) {
 	const float cosine = OUTLINE_COSINES[side];
 	const float sine = OUTLINE_SINES[side];
 	for (size_t i = 0; i < corners.size(); i++) {
@@ -126,11 +126,11 @@ Outlines outline_areas(const SeenMesh &mesh, const SightBox &box) {
 }
 
 float area_from_above(const SeenMesh &mesh) {
-	std::vector<glm::vec3> lying; // Depth becomes height.
+	std::vector<glm::vec3> rotated; // Depth becomes height.
 	SightBox box;
 	for (int i = 0; i < mesh.vertex_count; i++) {
 		const glm::vec3 &point = mesh.positions[i];
-		lying.emplace_back(point.x, point.z, point.y);
+		rotated.emplace_back(point.x, point.z, point.y);
 		box.take_in(point);
 	}
 	if (!(box.reach > 0.0f)) {
@@ -138,7 +138,7 @@ float area_from_above(const SeenMesh &mesh) {
 	}
 	box.low = -box.reach;
 	box.top = box.reach;
-	const SeenMesh seen = { lying.data(), mesh.vertex_count, mesh.indices, mesh.index_count };
+	const SeenMesh seen = { rotated.data(), mesh.vertex_count, mesh.indices, mesh.index_count };
 	SightLens lens(seen, box, ABOVE, ABOVE);
 	Outline outline(lens.columns(), lens.rows());
 	return area_of_side(lens, 0, outline);

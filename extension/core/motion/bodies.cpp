@@ -1,7 +1,7 @@
 #include "motion/bodies.hpp"
 
 #include "motion/part_bend.hpp"
-#include "motion/stem_blows.hpp"
+#include "motion/stem_impulses.hpp"
 #include "stem/stem_bones.hpp"
 #include "stem/stem_points.hpp"
 
@@ -137,7 +137,7 @@ bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	push_stem(stem, state, x, along * (depth / std::max(size, MIN_TANGENT)), scale);
 	const float inward = glm::dot(stem_velocity(stem, state, x, scale) - turned(body.velocity, -rest), along);
 	if (inward < 0.0f) {
-		blow_on_stem(stem, state, x, along * (-inward * stem_mass(stem, x)), scale);
+		apply_stem_impulse(stem, state, x, along * (-inward * stem_mass(stem, x)), scale);
 	}
 	return true;
 }

@@ -3,7 +3,7 @@
 #include "motion/gnomonic.hpp"
 #include "motion/motion_page_columns.hpp"
 #include "motion/part_bend.hpp"
-#include "motion/stem_blows.hpp"
+#include "motion/stem_impulses.hpp"
 #include "stem/stem_bones.hpp"
 #include "stem/stem_shape.hpp"
 
@@ -508,16 +508,16 @@ void MotionPage::move_tip(int index, const glm::vec3 &way, const glm::vec3 &fast
 	const float scale = kind.stem.length / length(index);
 	StemState moved = stem(index);
 	push_stem(kind.stem, moved, 1.0f, turned(way, back), scale);
-	blow_on_stem(kind.stem, moved, 1.0f, turned(faster * stem_mass(kind.stem, 1.0f), back), scale);
+	apply_stem_impulse(kind.stem, moved, 1.0f, turned(faster * stem_mass(kind.stem, 1.0f), back), scale);
 	set_stem(index, moved);
 }
 
 void MotionPage::apply_impulse_at(int index, int joint, const glm::vec3 &impulse) {
-	StemState blown = stem(index);
+	StemState pushed = stem(index);
 	const float x =
 			joint > kind.stem.joints ? ON_HEAD : static_cast<float>(joint) / static_cast<float>(kind.stem.joints);
-	blow_on_stem(kind.stem, blown, x, turned(impulse, -rest_bend(index)), kind.stem.length / length(index));
-	set_stem(index, blown);
+	apply_stem_impulse(kind.stem, pushed, x, turned(impulse, -rest_bend(index)), kind.stem.length / length(index));
+	set_stem(index, pushed);
 }
 
 void MotionPage::apply_impulse(int index, const glm::vec3 &impulse) {
@@ -525,9 +525,9 @@ void MotionPage::apply_impulse(int index, const glm::vec3 &impulse) {
 		apply_impulse_at(index, kind.stem.joints, impulse);
 		return;
 	}
-	TipState blown = state(index);
-	blown.rate += impulse / (kind.joint.mass * length(index));
-	set_state(index, blown);
+	TipState pushed = state(index);
+	pushed.rate += impulse / (kind.joint.mass * length(index));
+	set_state(index, pushed);
 }
 
 } // namespace undergrowth

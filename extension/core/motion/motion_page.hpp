@@ -5,7 +5,7 @@
 #include "motion/joint_constants.hpp"
 #include "motion/kernel_tables.hpp"
 #include "motion/motion_species.hpp"
-#include "motion/stem_blows.hpp"
+#include "motion/stem_impulses.hpp"
 #include "motion/stem_step.hpp"
 #include "wind/air_ahead.hpp"
 

@@ -27,10 +27,10 @@ void PageWind::sample(int begin, int count, BlockWind &block) const {
 	if (wind.is_air) {
 		const float *alone = canopy_height > 0.0f ? nullptr : lengths + begin;
 		if (ahead.is_ready()) {
-			ahead.interpolate(blow, begin, count, block.x, block.z, level);
-			add_gust(wind, blow, root_x, root_z, count, block.x, block.z, level);
+			ahead.interpolate(moments, begin, count, block.x, block.z, level);
+			add_gust(wind, moments, root_x, root_z, count, block.x, block.z, level);
 		} else {
-			sample_air(wind, blow, root_x, root_z, alone, count, block.x, block.z, level);
+			sample_air(wind, moments, root_x, root_z, alone, count, block.x, block.z, level);
 		}
 	} else {
 		wind_kernels(level).sample(wind, root_x, root_z, count, block.strengths);

@@ -33,7 +33,7 @@ struct PageWind {
 	float drag; ///< kg/m, of a tip of the laws of one joint.
 	bool has_stems; ///< Stems take forces and air together. Under the other laws, forces near sources become air.
 	SimdLevel level;
-	AirBlow blow = wind.is_air ? blow_over(wind.air, canopy_height, along) : AirBlow{};
+	AirMoments moments = wind.is_air ? moments_over(wind.air, canopy_height, along) : AirMoments{};
 	bool is_carried = wind.drift && wind.drift->has_effect();
 	bool is_stirred = is_carried || any_reaches(wind.sources, low, high);
 

@@ -149,8 +149,8 @@ bool is_valid(const DensityBrush &brush) {
 			brush.radius <= DensityBrush::MAX_RADIUS && brush.falloff >= 0.0f && brush.falloff <= 1.0f;
 }
 
-uint8_t density_code(float share) {
-	return static_cast<uint8_t>(std::floor(std::clamp(share, 0.0f, 1.0f) * MAX_CODE + 0.5f));
+uint8_t density_code(float density) {
+	return static_cast<uint8_t>(std::floor(std::clamp(density, 0.0f, 1.0f) * MAX_CODE + 0.5f));
 }
 
 uint8_t height_code(float factor) {

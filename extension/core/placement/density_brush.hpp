@@ -48,7 +48,7 @@ CellRange fill_polygon(DensityMap &map, int layer, const Polygon &polygon, float
 CellRange fill_polygon_plants(DensityMap &map, int layer, const Polygon &polygon, float plants);
 
 /// Code of 0 to 1, in steps of 1/255.
-uint8_t density_code(float share);
+uint8_t density_code(float density);
 /// Code in steps of 1/64, from DensityCell::MIN_HEIGHT.
 uint8_t height_code(float factor);
 /// Code of plants/m², 0 to DensityCell::MAX_PLANT_DENSITY.

@@ -30,21 +30,21 @@ float LodDensity::density_at(float distance) const {
 	return densities[first] + (densities[first + 1] - densities[first]) * std::clamp(way, 0.0f, 1.0f);
 }
 
-float LodDensity::band(float share) {
-	return std::min(MAX_BAND, BAND_SHARE * share);
+float LodDensity::band(float density) {
+	return std::min(MAX_BAND, BAND_SHARE * density);
 }
 
 float LodDensity::cut_at(float distance) const {
-	const float share = density_at(distance);
-	return share + band(share);
+	const float density = density_at(distance);
+	return density + band(density);
 }
 
 float LodDensity::width_of(float rank, float distance) const {
-	const float share = density_at(distance);
-	if (share <= 0.0f) {
+	const float density = density_at(distance);
+	if (density <= 0.0f) {
 		return 0.0f;
 	}
-	return std::clamp(1.0f - (rank - share) / band(share), 0.0f, 1.0f);
+	return std::clamp(1.0f - (rank - density) / band(density), 0.0f, 1.0f);
 }
 
 } // namespace undergrowth

@@ -39,7 +39,7 @@ struct LodDensity {
 	float width_of(float rank, float distance) const;
 
 private:
-	static float band(float share);
+	static float band(float density);
 };
 
 } // namespace undergrowth

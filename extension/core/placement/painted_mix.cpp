@@ -22,25 +22,25 @@ bool is_kept(const DensityCell &cell, double drawn) {
 
 PaintedMix::PaintedMix(const PlacementRequest &request) {
 	double all = 0.0;
-	std::vector<double> layer_shares(static_cast<std::size_t>(request.map ? request.map->layer_count() : 0), 0.0);
-	std::vector<int> layer_species(layer_shares.size(), 0);
+	std::vector<double> layer_weights(static_cast<std::size_t>(request.map ? request.map->layer_count() : 0), 0.0);
+	std::vector<int> layer_species(layer_weights.size(), 0);
 	for (const PlacementSpecies &species : request.species) {
-		all += static_cast<double>(species.share);
+		all += static_cast<double>(species.weight);
 		if (request.map && species.layer >= 0) {
-			layer_shares[static_cast<std::size_t>(species.layer)] += static_cast<double>(species.share);
+			layer_weights[static_cast<std::size_t>(species.layer)] += static_cast<double>(species.weight);
 			layer_species[static_cast<std::size_t>(species.layer)]++;
 		}
 	}
 	for (std::size_t i = 0; i < request.species.size() && request.map; i++) {
 		const PlacementSpecies &species = request.species[i];
-		const auto share = static_cast<double>(species.share);
-		fractions.push_back(share / all);
+		const auto weight = static_cast<double>(species.weight);
+		fractions.push_back(weight / all);
 		if (species.layer < 0 || !request.map->may_have_plants(species.layer)) {
 			continue;
 		}
-		const double shared = layer_shares[static_cast<std::size_t>(species.layer)];
+		const double shared = layer_weights[static_cast<std::size_t>(species.layer)];
 		const double part =
-				shared > 0.0 ? share / shared : 1.0 / layer_species[static_cast<std::size_t>(species.layer)];
+				shared > 0.0 ? weight / shared : 1.0 / layer_species[static_cast<std::size_t>(species.layer)];
 		counted.push_back({ static_cast<int>(i), part });
 	}
 }

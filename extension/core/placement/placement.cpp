@@ -76,7 +76,7 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 	drift_seed = mix_bits(cell_seed);
 	double sum = 0.0;
 	for (const PlacementSpecies &species : request.species) {
-		sum += static_cast<double>(species.share);
+		sum += static_cast<double>(species.weight);
 		shares.push_back(sum);
 	}
 	mix = PaintedMix(request);

@@ -18,7 +18,7 @@ struct AreaSpan;
 
 /// Distribution of one species.
 struct PlacementSpecies {
-	float share = 1.0f; ///< Weight among all species, >= 0.
+	float weight = 1.0f; ///< Relative frequency, >= 0.
 	int variants = 1; ///< 1 to 256.
 	float min_scale = 1.0f; ///< > 0; scales are uniform from least to most.
 	float max_scale = 1.0f;
@@ -58,8 +58,8 @@ enum class PlacementFault {
 	bad_density,
 	no_species,
 	too_many_species,
-	bad_share,
-	no_share, ///< All are 0.
+	bad_weight,
+	no_weight, ///< All are 0.
 	bad_variants,
 	bad_scale,
 	bad_deviation, ///< Of height or lean.

@@ -20,8 +20,8 @@ bool is_bad_exclusion(const Polygon &polygon) {
 
 PlacementFault find_species_fault(const PlacementSpecies &species) {
 	constexpr double LARGEST = 3.4e38;
-	if (!is_within(species.share, 0.0, LARGEST)) {
-		return PlacementFault::bad_share;
+	if (!is_within(species.weight, 0.0, LARGEST)) {
+		return PlacementFault::bad_weight;
 	}
 	if (species.variants < 1 || species.variants > 256) {
 		return PlacementFault::bad_variants;
@@ -45,10 +45,10 @@ PlacementFault find_all_species_fault(const std::vector<PlacementSpecies> &all) 
 	std::vector<PlacementFault> faults(all.size());
 	std::transform(all.begin(), all.end(), faults.begin(), find_species_fault);
 	faults.erase(std::remove(faults.begin(), faults.end(), PlacementFault::none), faults.end());
-	const auto has_share = [](const PlacementSpecies &species) { return species.share > 0.0f; };
-	const bool all_zero = std::none_of(all.begin(), all.end(), has_share);
+	const auto has_weight = [](const PlacementSpecies &species) { return species.weight > 0.0f; };
+	const bool all_zero = std::none_of(all.begin(), all.end(), has_weight);
 	if (all_zero) {
-		faults.push_back(PlacementFault::no_share);
+		faults.push_back(PlacementFault::no_weight);
 	}
 	return faults.empty() ? PlacementFault::none : *std::min_element(faults.begin(), faults.end());
 }
@@ -107,9 +107,9 @@ const char *describe(PlacementFault fault) {
 			return "The field has no species: add one.";
 		case PlacementFault::too_many_species:
 			return "The field has more than 256 species: spread them over several fields.";
-		case PlacementFault::bad_share:
+		case PlacementFault::bad_weight:
 			return "A species' weight must be a number of at least 0.";
-		case PlacementFault::no_share:
+		case PlacementFault::no_weight:
 			return "All species have a weight of 0: give at least one of them a weight.";
 		case PlacementFault::bad_variants:
 			return "A species must have 1 to 256 variants.";

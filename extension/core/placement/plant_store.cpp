@@ -17,13 +17,13 @@ ChangeSet PlantStore::apply(StoreEdit &&edit) {
 	if (edit.replaces_all) {
 		drop_generated(changes);
 		rename_species(edit.species_numbers);
-		const bool is_cut_anew = edit.tile_size != size;
+		const bool is_recut = edit.tile_size != size;
 		size = edit.tile_size;
 		for (PlantChunk &chunk : edit.generated) {
 			insert(std::move(chunk), changes);
 		}
-		if (is_cut_anew) {
-			cut_added_anew(changes);
+		if (is_recut) {
+			recut_added(changes);
 		}
 	}
 	for (std::size_t i = 0; i < edit.grown.size(); i++) {
@@ -126,7 +126,7 @@ void PlantStore::rename_species(const std::vector<int> &numbers) {
 }
 
 /// Moves added plants to their new tiles. Ids do not change.
-void PlantStore::cut_added_anew(ChangeSet &changes) {
+void PlantStore::recut_added(ChangeSet &changes) {
 	std::vector<std::pair<PlantId, PlacedPlant>> kept;
 	for (int number = 0; number < chunk_count(); number++) {
 		const PlantChunk &old = chunk(number);

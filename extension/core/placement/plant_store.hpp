@@ -142,7 +142,7 @@ private:
 	void drop_generated(ChangeSet &changes);
 	void leave(const TileKey &tile, ChangeSet &changes);
 	void rename_species(const std::vector<int> &numbers);
-	void cut_added_anew(ChangeSet &changes);
+	void recut_added(ChangeSet &changes);
 	void remove(const PlantRef &ref, ChangeSet &changes);
 	void add(const PlacedPlant &plant, PlantId id, ChangeSet &changes);
 	PlantRef grow(const PlacedPlant &plant, ChangeSet &changes);

@@ -147,8 +147,8 @@ glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const
 	const glm::vec2 across = heading.across;
 	const float origin = 0.0f;
 	glm::vec3 velocity = { 0.0f, 0.0f, 0.0f };
-	const AirBlow blow = blow_over(now.air, 0.0f, { nullptr, along.x, along.y, across.x, across.y });
-	sample_air(now, blow, &origin, &origin, &place.y, 1, &velocity.x, &velocity.z, SimdLevel::baseline);
+	const AirMoments moments = moments_over(now.air, 0.0f, { nullptr, along.x, along.y, across.x, across.y });
+	sample_air(now, moments, &origin, &origin, &place.y, 1, &velocity.x, &velocity.z, SimdLevel::baseline);
 	return velocity;
 }
 

@@ -56,15 +56,15 @@ glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const
 
 /// Wind at the top of a canopy of `canopy_height` (m), with directions in the axes of `axes`. 0: isolated plants on
 /// open ground.
-AirBlow blow_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes);
+AirMoments moments_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes);
 
-/// Writes the velocities (m/s) at plants (x, z), in the axes of `blow`, to out_x and out_z. `lengths` (m) are the
+/// Writes the velocities (m/s) at plants (x, z), in the axes of `moments`, to out_x and out_z. `lengths` (m) are the
 /// heights of isolated plants; null above a canopy.
-void sample_air(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
-		int count, float *out_x, float *out_z, SimdLevel level = best_simd_level());
+void sample_air(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z,
+		const float *lengths, int count, float *out_x, float *out_z, SimdLevel level = best_simd_level());
 
 /// Adds a triggered gust, in m/s, to velocities of air.
-void add_gust(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
-		float *out_z, SimdLevel level = best_simd_level());
+void add_gust(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z, int count,
+		float *out_x, float *out_z, SimdLevel level = best_simd_level());
 
 } // namespace undergrowth

@@ -75,22 +75,22 @@ void AirAhead::prepare(const FieldWind &wind, const PlantWinds &along, double mo
 	for (int sample = first; sample <= last; sample++) {
 		WindSnapshot then = {};
 		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
-		AirBlow blow = blow_over(then.air, plants.canopy_height, along);
-		blow.mean = 0.0f; // Above a canopy interpolate() adds it; isolated plants use another member.
+		AirMoments moments = moments_over(then.air, plants.canopy_height, along);
+		moments.mean = 0.0f; // Above a canopy interpolate() adds it; isolated plants use another member.
 		for (int begin = 0; begin < plants.count; begin += BLOCK) {
 			const int some = std::min(BLOCK, plants.count - begin);
 			const float *alone = has_canopy ? nullptr : plants.lengths + begin;
-			sample_air(then, blow, plants.x + begin, plants.z + begin, alone, some, x, z, level);
+			sample_air(then, moments, plants.x + begin, plants.z + begin, alone, some, x, z, level);
 			wind_kernels(level).keep_samples(x, z, some, groups.get() + 4 * begin);
 		}
 	}
 }
 
 void AirAhead::interpolate(
-		const AirBlow &blow, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
+		const AirMoments &moments, int begin, int count, float *out_x, float *out_z, SimdLevel level) const {
 	AirWeights weights = weights_at(static_cast<double>(age) / static_cast<double>(stride));
-	weights.x = has_canopy ? blow.mean * blow.along_x : 0.0f;
-	weights.z = has_canopy ? blow.mean * blow.along_z : 0.0f;
+	weights.x = has_canopy ? moments.mean * moments.along_x : 0.0f;
+	weights.z = has_canopy ? moments.mean * moments.along_z : 0.0f;
 	wind_kernels(level).between_samples(groups.get() + 4 * begin, weights, count, out_x, out_z);
 }
 

@@ -54,7 +54,7 @@ public:
 	/// True if interpolate() can interpolate the air of the last prepare(). False if each step must sample.
 	bool is_ready() const { return is_sampled; }
 	/// Like sample_air() for plants from `begin` on, a multiple of AIR_GROUP, without triggered gusts.
-	void interpolate(const AirBlow &blow, int begin, int count, float *out_x, float *out_z,
+	void interpolate(const AirMoments &moments, int begin, int count, float *out_x, float *out_z,
 			SimdLevel level = best_simd_level()) const;
 	/// Steps from one sample to the next in `air`; 1: each step samples.
 	static int stride_in(const Air &air, float step, float swing);

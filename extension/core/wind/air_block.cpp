@@ -19,34 +19,34 @@ float unit_gust(float skew) {
 }
 
 /// Velocities of isolated plants: each has the wind of its own height above open ground.
-void blow_alone(const AirSnapshot &air, const float *lengths, AirBlow blow, int count, float *x, float *z,
+void sample_isolated(const AirSnapshot &air, const float *lengths, AirMoments moments, int count, float *x, float *z,
 		const WindKernels &kernels) {
 	const OpenGround open(static_cast<double>(air.roughness));
 	const float gust = air.speed * air.gusts * static_cast<float>(open.gusts(REFERENCE_HEIGHT));
-	blow.mean = air.speed * static_cast<float>(open.growth());
-	blow.gust = gust * unit_gust(air.skew);
-	blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
+	moments.mean = air.speed * static_cast<float>(open.growth());
+	moments.gust = gust * unit_gust(air.skew);
+	moments.side_gust = gust * static_cast<float>(SIDE_GUSTS);
 	const double layer = OpenGround::ROUGH_LAYER;
 	const AirGround ground = { static_cast<float>(1.0 / open.roughness()),
 		static_cast<float>(1.0 / (layer * open.roughness())), static_cast<float>(layer) };
-	kernels.make_isolated_velocities(blow, ground, lengths, count, x, z);
+	kernels.make_isolated_velocities(moments, ground, lengths, count, x, z);
 }
 
 } // namespace
 
-AirBlow blow_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes) {
-	AirBlow blow = { 0.0f, 0.0f, 0.0f, air.skew, axes.x, axes.z, axes.side_x, axes.side_z };
+AirMoments moments_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes) {
+	AirMoments moments = { 0.0f, 0.0f, 0.0f, air.skew, axes.x, axes.z, axes.side_x, axes.side_z };
 	if (canopy_height > 0.0f) {
-		blow.mean = air.speed * static_cast<float>(canopy_top_speed(static_cast<double>(canopy_height)));
-		const float gust = blow.mean * static_cast<float>(CANOPY_GUSTS) * air.gusts;
-		blow.gust = gust * unit_gust(air.skew);
-		blow.side_gust = gust * static_cast<float>(SIDE_GUSTS);
+		moments.mean = air.speed * static_cast<float>(canopy_top_speed(static_cast<double>(canopy_height)));
+		const float gust = moments.mean * static_cast<float>(CANOPY_GUSTS) * air.gusts;
+		moments.gust = gust * unit_gust(air.skew);
+		moments.side_gust = gust * static_cast<float>(SIDE_GUSTS);
 	}
-	return blow;
+	return moments;
 }
 
-void add_gust(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, int count, float *out_x,
-		float *out_z, SimdLevel level) {
+void add_gust(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z, int count,
+		float *out_x, float *out_z, SimdLevel level) {
 	if (wind.gust == 0.0f) {
 		return;
 	}
@@ -55,14 +55,14 @@ void add_gust(const WindSnapshot &wind, const AirBlow &blow, const float *x, con
 		const int some = std::min(GUST_BLOCK, count - begin);
 		wind_kernels(level).sample(wind, x + begin, z + begin, some, strengths);
 		for (int i = 0; i < some; i++) {
-			out_x[begin + i] += strengths[i] * blow.along_x;
-			out_z[begin + i] += strengths[i] * blow.along_z;
+			out_x[begin + i] += strengths[i] * moments.along_x;
+			out_z[begin + i] += strengths[i] * moments.along_z;
 		}
 	}
 }
 
-void sample_air(const WindSnapshot &wind, const AirBlow &blow, const float *x, const float *z, const float *lengths,
-		int count, float *out_x, float *out_z, SimdLevel level) {
+void sample_air(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z,
+		const float *lengths, int count, float *out_x, float *out_z, SimdLevel level) {
 	const WindKernels &kernels = wind_kernels(level);
 	const AirSnapshot &air = wind.air;
 	if (air.turbulence.cells) {
@@ -76,11 +76,11 @@ void sample_air(const WindSnapshot &wind, const AirBlow &blow, const float *x, c
 		kernels.add_canopy_waves(air.waves, x, z, count, kept, std::sqrt(air.canopy_wave_amount), out_x);
 	}
 	if (lengths) {
-		blow_alone(air, lengths, blow, count, out_x, out_z, kernels);
+		sample_isolated(air, lengths, moments, count, out_x, out_z, kernels);
 	} else {
-		kernels.make_velocities(blow, count, out_x, out_z);
+		kernels.make_velocities(moments, count, out_x, out_z);
 	}
-	add_gust(wind, blow, x, z, count, out_x, out_z, level);
+	add_gust(wind, moments, x, z, count, out_x, out_z, level);
 }
 
 } // namespace undergrowth

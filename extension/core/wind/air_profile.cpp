@@ -12,12 +12,12 @@ namespace {
 constexpr double KARMAN = 0.4;
 constexpr double GUSTS_OF_FRICTION = 2.185; // σ_u/u*, from the integral of the spectrum.
 constexpr double DISPLACEMENT = 0.7; // Of the canopy's height.
-constexpr double STAND_ROUGHNESS = 0.1;
+constexpr double CANOPY_ROUGHNESS = 0.1;
 constexpr double SMOOTHEST = 1e-6; // m.
 constexpr double ROUGHEST =
 		0.5 * REFERENCE_HEIGHT / OpenGround::ROUGH_LAYER; // m: the rough layer stays below the reference.
-constexpr double LOWEST_STAND = 1e-3; // m.
-constexpr double HIGHEST_STAND = 0.9 * REFERENCE_HEIGHT; // m.
+constexpr double MIN_CANOPY = 1e-3; // m.
+constexpr double MAX_CANOPY = 0.9 * REFERENCE_HEIGHT; // m.
 constexpr double BEAUFORT = 0.836; // m/s.
 constexpr int STRONGEST = 12;
 
@@ -61,9 +61,9 @@ double canopy_top_speed(double canopy_height) {
 }
 
 double canopy_speed(double height, double canopy_height, double extinction) {
-	const double top = std::clamp(safe_height(canopy_height), LOWEST_STAND, HIGHEST_STAND);
+	const double top = std::clamp(safe_height(canopy_height), MIN_CANOPY, MAX_CANOPY);
 	const double above = std::max(safe_height(height), top);
-	const double rough = STAND_ROUGHNESS * top;
+	const double rough = CANOPY_ROUGHNESS * top;
 	const double down = DISPLACEMENT * top;
 	const double speed = portable_log((above - down) / rough) / portable_log((REFERENCE_HEIGHT - down) / rough);
 	return speed * portable_exp(-extinction * (1.0 - std::min(safe_height(height) / top, 1.0)));

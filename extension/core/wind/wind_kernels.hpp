@@ -38,14 +38,14 @@ struct AirSnapshot {
 };
 
 /// Velocity along the wind, mean + gust·(u + skew·(u² - 1)), and across it, side_gust·v.
-struct AirBlow {
+struct AirMoments {
 	float mean, gust, side_gust; ///< m/s.
 	float skew;
 	float along_x, along_z, side_x, side_z; ///< Unit directions.
 };
 
-/// Growth of the wind with the height above open ground, for isolated plants. AirBlow then holds above the rough layer,
-/// and its mean is that of a logarithm of 1.
+/// Growth of the wind with the height above open ground, for isolated plants. AirMoments then holds above the rough
+/// layer, and its mean is that of a logarithm of 1.
 struct AirGround {
 	float over_roughness, over_layer; ///< 1/m.
 	float layer; ///< Relative to the roughness.
@@ -104,14 +104,14 @@ struct WindKernels {
 	void (*add_canopy_waves)(
 			const AirMap &map, const float *x, const float *z, int count, float keep, float share, float *along);
 	/// Converts both components to velocities along x and z, in place.
-	void (*make_velocities)(const AirBlow &blow, int count, float *along, float *across);
+	void (*make_velocities)(const AirMoments &moments, int count, float *along, float *across);
 	/// Replaces the oldest of four samples by velocities (m/s) along x and z.
 	void (*keep_samples)(const float *x, const float *z, int count, uint32_t *groups);
 	/// Interpolates the four samples (m/s).
 	void (*between_samples)(const uint32_t *groups, const AirWeights &weights, int count, float *x, float *z);
 	/// make_velocities() for isolated plants of given `lengths` (m).
-	void (*make_isolated_velocities)(
-			const AirBlow &blow, const AirGround &ground, const float *lengths, int count, float *along, float *across);
+	void (*make_isolated_velocities)(const AirMoments &moments, const AirGround &ground, const float *lengths,
+			int count, float *along, float *across);
 };
 
 const WindKernels *baseline_wind_kernels();

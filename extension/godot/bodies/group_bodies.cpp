@@ -83,7 +83,7 @@ void GroupBodies::note(const Node3D *node, double delta) {
 	body.is_here = true;
 	body.age += delta;
 	body.shapes_age += delta;
-	if (body.shapes_age >= SHAPES_KEPT) {
+	if (body.shapes_age >= SHAPES_LIFETIME) {
 		find_shapes(body, node);
 		warn_of(body, node);
 	}

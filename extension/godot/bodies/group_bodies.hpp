@@ -24,7 +24,7 @@ namespace undergrowth {
 class GroupBodies {
 public:
 	static constexpr double FASTEST = 50.0; ///< m/s.
-	static constexpr double SHAPES_KEPT = 0.25; ///< s, after which the shapes of a body are searched again.
+	static constexpr double SHAPES_LIFETIME = 0.25; ///< s, after which the shapes of a body are searched again.
 	static constexpr double BODY_PATIENCE = 1.0; ///< s, until the warning about a body that cannot push.
 	static constexpr double GROUP_PATIENCE = 5.0; ///< s, until the warning about a group without members.
 
@@ -82,7 +82,7 @@ private:
 		uint64_t id;
 		std::vector<Shape> shapes;
 		double age = 0.0; ///< s.
-		double shapes_age = SHAPES_KEPT; ///< s.
+		double shapes_age = SHAPES_LIFETIME; ///< s.
 		bool is_here = true;
 		bool is_touching = false;
 		size_t first = 0, count = 0; ///< Range in `gathered`.

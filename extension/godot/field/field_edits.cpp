@@ -55,10 +55,10 @@ void FieldEdits::mow(const std::vector<PlantRef> &refs, const std::vector<float>
 	}
 	std::vector<PlantRef> mown = refs;
 	std::sort(mown.begin(), mown.end());
-	const auto is_mown_anew = [&](const Growing &plant) {
+	const auto is_mown_again = [&](const Growing &plant) {
 		return std::binary_search(mown.begin(), mown.end(), plant.ref);
 	};
-	growing.erase(std::remove_if(growing.begin(), growing.end(), is_mown_anew), growing.end());
+	growing.erase(std::remove_if(growing.begin(), growing.end(), is_mown_again), growing.end());
 	for (size_t i = 0; i < refs.size(); i++) {
 		const Growing plant = { refs[i], double(std::max(shares[i], EditLog::MIN_SHARE)) - edits.grown_back() };
 		show(plant, store, setup, motion);

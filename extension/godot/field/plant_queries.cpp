@@ -73,9 +73,8 @@ Ref<PlantFunction> PlantQueries::species(int64_t id) const {
 
 double PlantQueries::height(int64_t id) const {
 	return query(id, [this](const FoundPlant &one) {
-		const Transform3D axes = node->is_inside_tree() ? axes_of(node) : node->get_transform();
 		const float share = runtime.own_edits.share_of(runtime.store, one.place);
-		return double(one.style.length_of(one.plant) * share * axes.basis.get_column(1).length());
+		return double(one.style.length_of(one.plant) * share * axes_of(node).basis.get_column(1).length());
 	});
 }
 
@@ -570,9 +569,9 @@ int PlantQueries::apply_impulse_in_sphere(const Vector3 &center, double radius, 
 		return 0;
 	}
 	const std::vector<PlantRef> places = in_sphere("apply_impulse_in_sphere", center, radius);
-	const glm::vec3 blow = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
+	const glm::vec3 local_impulse = places.empty() ? glm::vec3() : to_glm(axes_of(node).basis.inverse().xform(impulse));
 	for (const PlantRef &place : places) {
-		runtime.motion.apply_impulse(place, blow);
+		runtime.motion.apply_impulse(place, local_impulse);
 	}
 	return int(places.size());
 }

@@ -206,15 +206,15 @@ void PlantSimulation::set_step_length(double seconds) {
 	}
 	clock = FixedStep(seconds);
 	// Constants are for one step length, so all plants move to pages of the new one, with their present state.
-	std::vector<Plant3D *> everyone;
+	std::vector<Plant3D *> all_plants;
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
-		everyone.insert(everyone.end(), group->plants.begin(), group->plants.end());
+		all_plants.insert(all_plants.end(), group->plants.begin(), group->plants.end());
 	}
-	for (Plant3D *plant : everyone) {
+	for (Plant3D *plant : all_plants) {
 		plant->leave_simulation();
 	}
 	drop_empty_groups();
-	for (Plant3D *plant : everyone) {
+	for (Plant3D *plant : all_plants) {
 		plant->update_simulation();
 	}
 }

@@ -55,17 +55,17 @@ Ref<StandardMaterial3D> default_material() {
 // A pool thread that loads a resource runs other tasks meanwhile. These may request the same resource, so nothing is
 // loaded under the lock.
 Ref<Shader> plant_shader(bool of_parts) {
-	Ref<Shader> *&kept = shaders[int(of_parts)];
+	Ref<Shader> *&shader = shaders[int(of_parts)];
 	{
 		const std::lock_guard<std::mutex> lock(making);
-		if (kept && kept->is_valid()) {
-			return *kept;
+		if (shader && shader->is_valid()) {
+			return *shader;
 		}
 	}
 	const Ref<Shader> loaded = ResourceLoader::get_singleton()->load(SHADER_PATHS[int(of_parts)], "Shader");
 	const std::lock_guard<std::mutex> lock(making);
-	delete kept;
-	kept = new Ref<Shader>(loaded);
+	delete shader;
+	shader = new Ref<Shader>(loaded);
 	return loaded;
 }
 
@@ -113,8 +113,8 @@ void free_shared_resources() {
 	delete material;
 	delete of_sheets;
 	delete skin;
-	for (Ref<Shader> *&kept : shaders) {
-		delete std::exchange(kept, nullptr);
+	for (Ref<Shader> *&shader : shaders) {
+		delete std::exchange(shader, nullptr);
 	}
 	material = nullptr;
 	of_sheets = nullptr;

@@ -117,7 +117,7 @@ public:
 	/// Advances the clock to `clock`, the clock of a plant that code advances, if it is behind it.
 	void catch_up_to(double clock);
 	/// Sets the position of a camera (world axes).
-	void look_from(const godot::Vector3 &place) { pivot = place; }
+	void set_pivot(const godot::Vector3 &place) { pivot = place; }
 	/// Returns the wind for sampling at any position and time, with the speed at which it travels over the ground.
 	FieldWind travelling() const;
 	/// Returns the wind for `listener` at `clock` of its clock.

@@ -28,7 +28,7 @@ static constexpr Range SPEED_RANGE = { 0.0, 100.0 };
 static constexpr Range TURBULENCE_RANGE = { -1.0, 2.0 };
 static constexpr Range GUSTINESS_RANGE = { 0.0, 0.3 };
 static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
-static constexpr Range STAND_HEIGHT_RANGE = { 0.0, 9.0 };
+static constexpr Range CANOPY_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
 static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the force that sample() returns.
@@ -85,7 +85,7 @@ double PlantWind::get_roughness() const {
 }
 
 void PlantWind::set_canopy_height(double metres) {
-	set_air(&Air::canopy_height, "canopy_height", metres, STAND_HEIGHT_RANGE);
+	set_air(&Air::canopy_height, "canopy_height", metres, CANOPY_HEIGHT_RANGE);
 }
 
 double PlantWind::get_canopy_height() const {
@@ -142,9 +142,10 @@ PackedVector2Array PlantWind::sample_over_canopy(double at_time, const PackedVec
 	}
 	const FieldWind field = travelling();
 	const WindSnapshot now = wind_at_time(field, at_time);
-	const AirBlow blow = blow_over(now.air, std::max(field.air.canopy_height, TURF_HEIGHT), winds_along(field));
+	const AirMoments moments =
+			moments_over(now.air, std::max(field.air.canopy_height, TURF_HEIGHT), winds_along(field));
 	std::vector<float> out_x(x.size()), out_z(x.size());
-	sample_air(now, blow, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
+	sample_air(now, moments, x.data(), z.data(), nullptr, int(x.size()), out_x.data(), out_z.data());
 	for (size_t i = 0; i < x.size(); i++) {
 		velocities.push_back(Vector2(out_x[i], out_z[i]));
 	}

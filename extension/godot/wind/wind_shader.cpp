@@ -75,7 +75,7 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const RID target = material->get_rid();
 	const AirSnapshot now = air_at_time(air.air, {}, air.tiles.get(), time);
 	const PlantWinds along = winds_along(air);
-	const AirBlow canopy = blow_over(now, std::max(air.air.canopy_height, TURF_HEIGHT), along);
+	const AirMoments canopy = moments_over(now, std::max(air.air.canopy_height, TURF_HEIGHT), along);
 	const float gust = now.speed * now.gusts * float(open_ground_gusts(REFERENCE_HEIGHT, double(now.roughness)));
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
 	const float waves = now.waves.cells ? now.canopy_wave_amount : 0.0f;
@@ -86,7 +86,7 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	server->material_set_param(
 			target, "undergrowth_wind_air", Vector4(now.speed, along_gust, gust * float(SIDE_GUSTS), now.skew));
 	server->material_set_param(
-			target, "undergrowth_stand_air", Vector4(canopy.mean, canopy.gust, canopy.side_gust, waves));
+			target, "undergrowth_canopy_air", Vector4(canopy.mean, canopy.gust, canopy.side_gust, waves));
 	server->material_set_param(target, "undergrowth_wind_roughness", now.roughness);
 }
 

@@ -130,7 +130,7 @@ TEST_CASE("followers without a push continue to follow next to pushed neighbours
 	}
 }
 
-TEST_CASE("a blow moves a follower for a while") {
+TEST_CASE("an impulse moves a follower for a while") {
 	FieldSimulation field = following_field(Law::spring);
 	const glm::vec3 before = field.state(0, 7).direction;
 	CHECK(field.changed_pages().empty());

@@ -66,7 +66,7 @@ TEST_CASE("dropping a plant removes it and leaves all other plants unchanged") {
 	}
 }
 
-TEST_CASE("no body, blow or query finds a dropped plant") {
+TEST_CASE("no body, impulse or query finds a dropped plant") {
 	for (const int prototypes : PROTOTYPES) {
 		FieldSimulation field = field_with(prototypes);
 		const glm::vec3 root = field.page(0).root(7);

@@ -192,7 +192,7 @@ TEST_CASE("an hour of wind causes no drift and no invalid number") {
 	}
 }
 
-TEST_CASE("a blow moves one plant of the field") {
+TEST_CASE("an impulse moves one plant of the field") {
 	for (const Law law : BOTH_LAWS) {
 		FieldSimulation field = single_plant(law, {});
 		field.apply_impulse(0, 0, { 0.2f, 0.0f, 0.0f });
@@ -260,7 +260,7 @@ TEST_CASE("plants with invalid numbers are rejected, and the field does not chan
 	CHECK(field.page_count() == 0);
 }
 
-TEST_CASE("no species, wind, blow or step, however extreme, causes an invalid number") {
+TEST_CASE("no species, wind, impulse or step, however extreme, causes an invalid number") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	for (const Law law : BOTH_LAWS) {
 		for (const float extreme : { NONE, 0.0f, -1.0f, 1e-30f, 1e30f }) {

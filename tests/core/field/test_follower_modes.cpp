@@ -129,7 +129,7 @@ TEST_CASE("a follower with a pushed stem swings in both modes and returns to its
 	CHECK(field.follower(0, 0).detached == 0);
 }
 
-TEST_CASE("a blow on a follower acts on both modes of its stem") {
+TEST_CASE("an impulse on a follower acts on both modes of its stem") {
 	FieldSimulation simulated = field_of(0);
 	FieldSimulation following = field_of(1);
 	FieldWind calm;

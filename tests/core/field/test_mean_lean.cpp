@@ -41,7 +41,7 @@ TEST_CASE("the mean lean forgets an earlier wind") {
 	FieldSimulation field = mixed_field({}, 600, 64);
 	MeanLean leans;
 	FieldWind wind = wave_wind();
-	const auto blow = [&](float strength, int seconds) {
+	const auto apply_wind = [&](float strength, int seconds) {
 		wind.wind.strength = strength;
 		field.set_wind(wind);
 		for (int i = 0; i < 60 * seconds; i++) {
@@ -50,9 +50,9 @@ TEST_CASE("the mean lean forgets an earlier wind") {
 		}
 		return leans.of(1);
 	};
-	const float windy = blow(2.0f, 20);
-	const float soon = blow(0.0f, 4);
-	const float later = blow(0.0f, 30);
+	const float windy = apply_wind(2.0f, 20);
+	const float soon = apply_wind(0.0f, 4);
+	const float later = apply_wind(0.0f, 30);
 	CHECK(soon < windy);
 	CHECK(soon > 0.3f * windy);
 	CHECK(later < 0.1f * windy);

@@ -33,7 +33,7 @@ std::vector<Change> changes() {
 	};
 }
 
-FieldSimulation blown_field(const MotionSpecies &species, int prototypes) {
+FieldSimulation windy_field(const MotionSpecies &species, int prototypes) {
 	FieldSettings settings;
 	settings.prototypes = prototypes;
 	FieldSimulation field(settings);
@@ -56,10 +56,10 @@ TEST_CASE("plants of a changed species move like plants that always had the new 
 			const MotionSpecies before = species_of(change.law);
 			MotionSpecies after = before;
 			change.make(after);
-			FieldSimulation changed = blown_field(before, prototypes);
+			FieldSimulation changed = windy_field(before, prototypes);
 			changed.set_species(0, after);
-			FieldSimulation always = blown_field(after, prototypes);
-			FieldSimulation never = blown_field(before, prototypes);
+			FieldSimulation always = windy_field(after, prototypes);
+			FieldSimulation never = windy_field(before, prototypes);
 			step(changed, 200);
 			step(always, 200);
 			step(never, 200);
@@ -71,7 +71,7 @@ TEST_CASE("plants of a changed species move like plants that always had the new 
 
 TEST_CASE("a change of a species preserves positions and velocities of plants, and changes their bends afterwards") {
 	for (const Change &change : changes()) {
-		FieldSimulation field = blown_field(species_of(change.law), 0);
+		FieldSimulation field = windy_field(species_of(change.law), 0);
 		step(field, 45);
 		MotionSpecies after = species_of(change.law);
 		change.make(after);
@@ -87,8 +87,8 @@ TEST_CASE("a pushed follower swings by the current properties of its species") {
 	for (const Change &change : changes()) {
 		MotionSpecies after = species_of(change.law);
 		change.make(after);
-		FieldSimulation changed = blown_field(species_of(change.law), 8);
-		FieldSimulation never = blown_field(species_of(change.law), 8);
+		FieldSimulation changed = windy_field(species_of(change.law), 8);
+		FieldSimulation never = windy_field(species_of(change.law), 8);
 		for (FieldSimulation *field : { &changed, &never }) {
 			step(*field, 30);
 			field->apply_impulse(0, 3, { 0.2f, 0.0f, 0.1f });

@@ -109,7 +109,7 @@ TEST_CASE("stems of a field step a second mode only during pushes and for a whil
 	CHECK(field.page(0).modes() == 1);
 }
 
-TEST_CASE("blows, touching tips and near cameras also start a second mode") {
+TEST_CASE("impulses, touching tips and near cameras also start a second mode") {
 	FieldSimulation field = reeds();
 	field.step();
 	field.apply_impulse(0, 3, { 0.002f, 0.0f, 0.0f });
@@ -205,7 +205,7 @@ TEST_CASE("repeated changes of modes in still air start no motion") {
 	}
 }
 
-TEST_CASE("a blow moves a stem of one stepped mode like a stem of two") {
+TEST_CASE("an impulse moves a stem of one stepped mode like a stem of two") {
 	FieldSimulation field = reeds();
 	FieldSimulation awake = reeds();
 	awake.set_page_near(0, true);

@@ -294,7 +294,7 @@ TEST_CASE("plans drop small parts first: florets before leaves, leaves before th
 	const FormMeasure measure = measure_form(form);
 	const FormPlan plan = plan_form(form, measure, vertex_budget(6));
 	CHECK(plan.groups[3].body.sides > 0); // The disc is a dome.
-	CHECK(plan.groups[1].kept == 1.0f);
+	CHECK(plan.groups[1].density == 1.0f);
 	CHECK(plan.groups[1].detail.columns > 2); // The stem is round.
 	const FormPlan far = plan_form(form, measure, vertex_budget(1));
 	CHECK(far.counts.vertices > 0);

@@ -62,7 +62,7 @@ public:
 		rate.fill(0.0);
 		acceleration.fill(0.0);
 		for (int n = 0; n < 4000; n++) {
-			Row moment = moments();
+			Row moment = apply_wind();
 			Row pivot;
 			const double across = std::fabs(force) + std::fabs(tip_force) + all_air() * wind * wind;
 			for (int i = 0; i < LINKS; i++) {
@@ -89,7 +89,7 @@ public:
 			if (rounds % 12 == 0 && (rounds > 0 || half != factor_half)) {
 				factorise(half); // An old one is sufficient while the stem has moved little.
 			}
-			const Row change = solved(moments());
+			const Row change = solved(apply_wind());
 			double max = 0.0;
 			for (int i = 0; i < LINKS; i++) {
 				acceleration[i] += change[i];
@@ -193,7 +193,7 @@ private:
 	}
 
 	/// Residual of all moments about the lower ends of the links at the current angles, rates and accelerations.
-	Row moments() const {
+	Row apply_wind() const {
 		Row result;
 		Row side, up; // Forces on each link, with its inertia.
 		glm::dvec2 point(0.0, 0.0); // Acceleration of the link's lower end.

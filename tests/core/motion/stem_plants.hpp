@@ -105,7 +105,7 @@ public:
 		has_air = true;
 	}
 	/// The same wind for all plants. Both are null for a field without wind.
-	void blow(float newtons, const glm::vec2 *air = nullptr) {
+	void apply_wind(float newtons, const glm::vec2 *air = nullptr) {
 		for (int i = 0; i < count; i++) {
 			set_strength(i, newtons);
 			if (air) {

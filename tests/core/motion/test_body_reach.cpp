@@ -81,7 +81,7 @@ TEST_CASE("a ball stops and moves an approaching tip in metres per second, for a
 	}
 }
 
-TEST_CASE("a blow gives a tip its impulse over its mass, for any length of the plant") {
+TEST_CASE("an impulse gives a tip its impulse over its mass, for any length of the plant") {
 	for (const Law law : BOTH_LAWS) {
 		for (const int prototypes : { 0, 4 }) {
 			for (const float length : { 0.5f, 2.0f }) {

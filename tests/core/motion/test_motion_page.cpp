@@ -17,7 +17,7 @@ constexpr float BEND_TOLERANCE = 1.1e-3f;
 TEST_CASE("an empty page steps and interpolates without effect") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage page(0, species_with(law, {}), nullptr, 0, FRAME_STEP, true, MotionPage::Keeps::directions);
-		blow(page, 0);
+		apply_wind(page, 0);
 		page.interpolate(0.5f, nullptr);
 		CHECK(page.size() == 0);
 		CHECK(page.step_length() == FRAME_STEP);
@@ -72,8 +72,8 @@ TEST_CASE("a plant at another's row continues like one that was always there") {
 				if (i == 30) {
 					moved.remove(3);
 				}
-				blow(moved, i);
-				blow(alone, i);
+				apply_wind(moved, i);
+				apply_wind(alone, i);
 			}
 			CHECK(same_bits(moved.state(3), alone.state(0)));
 			CHECK(moved.before(3) == alone.before(0));
@@ -85,7 +85,7 @@ TEST_CASE("a plant at another's row continues like one that was always there") {
 TEST_CASE("a plant that grows, moves or turns continues from its state, like one that was always so") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage changed = meadow(law, 0, 5);
-		blow(changed, 0);
+		apply_wind(changed, 0);
 		const TipState before = changed.state(2);
 		changed.set_plant(2, varied_plant(77));
 		CHECK(same_bits(changed.state(2), before));
@@ -94,8 +94,8 @@ TEST_CASE("a plant that grows, moves or turns continues from its state, like one
 		always.set_state(0, before);
 		changed.set_state(2, before);
 		for (int i = 1; i < 30; i++) {
-			blow(changed, i);
-			blow(always, i);
+			apply_wind(changed, i);
+			apply_wind(always, i);
 		}
 		CHECK(same_bits(changed.state(2), always.state(0)));
 	}
@@ -139,7 +139,7 @@ TEST_CASE("plants swing to given rest directions, also after a change of law and
 	CHECK(glm::length(page.state(0).direction - lean) < STATE_TOLERANCE);
 }
 
-TEST_CASE("a blow changes the velocity by impulse/mass along the sphere, and not the previous drawn pose") {
+TEST_CASE("an impulse changes the velocity by impulse/mass along the sphere, and not the previous drawn pose") {
 	for (const Law law : BOTH_LAWS) {
 		Joint joint;
 		joint.length = 2.0f;
@@ -159,13 +159,13 @@ TEST_CASE("interpolation runs from the last step but one to the last") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage page = meadow(law, 0, 37);
 		for (int i = 0; i < 20; i++) {
-			blow(page, i);
+			apply_wind(page, i);
 		}
 		std::vector<glm::vec3> before;
 		for (int i = 0; i < 37; i++) {
 			before.push_back(page.state(i).direction);
 		}
-		blow(page, 20);
+		apply_wind(page, 20);
 		std::vector<glm::vec3> start(37), middle(37), end(37);
 		page.interpolate(0.0f, start.data());
 		page.interpolate(0.5f, middle.data());
@@ -186,8 +186,8 @@ TEST_CASE("a page with directions moves like one with bends") {
 		MotionPage floats = meadow(law, 0, 600);
 		MotionPage halves = meadow(law, 0, 600, MotionPage::Keeps::bends);
 		for (int i = 0; i < 40; i++) {
-			blow(floats, i);
-			blow(halves, i);
+			apply_wind(floats, i);
+			apply_wind(halves, i);
 		}
 		CHECK(hash_states(floats) == hash_states(halves));
 		for (int i = 0; i < 600; i++) {

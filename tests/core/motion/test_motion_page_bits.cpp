@@ -17,10 +17,10 @@ TEST_CASE("any division of plants into pages, at every level, gives the same bit
 		MotionPage first = meadow(law, 0, 123);
 		MotionPage rest = meadow(law, 123, 478);
 		for (int i = 0; i < 300; i++) {
-			blow(whole, i, SimdLevel::baseline);
-			blow(best, i, SimdLevel::avx2);
-			blow(first, i, i % 2 == 0 ? SimdLevel::avx2 : SimdLevel::baseline);
-			blow(rest, i);
+			apply_wind(whole, i, SimdLevel::baseline);
+			apply_wind(best, i, SimdLevel::avx2);
+			apply_wind(first, i, i % 2 == 0 ? SimdLevel::avx2 : SimdLevel::baseline);
+			apply_wind(rest, i);
 		}
 		CHECK(hash_states(whole) == hash_states(best));
 		for (int i = 0; i < 601; i++) {
@@ -33,10 +33,10 @@ TEST_CASE("a step of a page with directions allocates nothing") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage page = meadow(law, 0, 1000);
 		std::vector<glm::vec3> drawn(1000);
-		blow(page, 0);
+		apply_wind(page, 0);
 		const long before = allocation_count();
 		for (int i = 1; i < 30; i++) {
-			blow(page, i);
+			apply_wind(page, i);
 			page.interpolate(0.5f, drawn.data());
 		}
 		CHECK(allocation_count() == before);
@@ -95,7 +95,7 @@ TEST_CASE("a run of each law has the same bits on every platform") {
 	for (const Law law : BOTH_LAWS) {
 		MotionPage page = meadow(law, 0, 50);
 		for (int i = 0; i < 600; i++) {
-			blow(page, i);
+			apply_wind(page, i);
 		}
 		CHECK(hash_states(page) == (law == Law::elasticity ? ELASTICITY_GOLDEN : SPRING_GOLDEN));
 	}

@@ -174,7 +174,7 @@ TEST_CASE("a tip of the spring law never reaches the ground") {
 	CHECK(lowest > 0.0f);
 }
 
-TEST_CASE("a blow upwards straightens a bent plant and does nothing to an upright one") {
+TEST_CASE("an impulse upwards straightens a bent plant and does nothing to an upright one") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		Joint joint = joint_of(1.0, 0.1);
 		joint.mass = 0.5f;

@@ -31,7 +31,7 @@ StemConstants airy_stem(double frequency) {
 double damping_in_wind(const StemConstants &stem, float speed, bool is_along, double rate) {
 	StemPlants plants(stem, 1, static_cast<float>(1.0 / rate));
 	const glm::vec2 wind = { speed, 0.0f };
-	plants.blow(0.0f, &wind);
+	plants.apply_wind(0.0f, &wind);
 	plants.run(60.0);
 	const glm::vec2 calm = plants.place(0);
 	plants.set_place(0, calm + (is_along ? glm::vec2(0.004f, 0.0f) : glm::vec2(0.0f, 0.004f)));
@@ -72,7 +72,7 @@ TEST_CASE("a longer plant of a species has the same damping by air") {
 		stem_scales(stem, &length, 1, &scale);
 		plants.set_scale(0, scale);
 		const glm::vec2 wind = { 1.0f, 0.0f };
-		plants.blow(0.0f, &wind);
+		plants.apply_wind(0.0f, &wind);
 		plants.run(60.0);
 		const glm::vec2 calm = plants.place(0);
 		plants.set_place(0, calm + glm::vec2(which == 0 ? 0.004f : 0.002f, 0.0f));

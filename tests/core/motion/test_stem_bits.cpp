@@ -39,7 +39,7 @@ StemPlants meadow(int modes, int count, bool leans, double frequency = 1.5) {
 }
 
 /// Loads from none to 40 times the slope that lays a stem half down.
-void blow(StemPlants &plants, int step, Blowing wind) {
+void apply_wind(StemPlants &plants, int step, Blowing wind) {
 	const float swell = step % 200 < 100 ? 1.0f : 30.0f;
 	for (int i = 0; i < plants.size(); i++) {
 		plants.set_strength(i, swell * (1.0f + noise(i, 100 + step)) / plants.constants().dead_slope);
@@ -71,9 +71,9 @@ TEST_CASE("any division of stems, at every level, gives the same bits") {
 				StemPlants best = meadow(modes, 601, leans);
 				StemPlants parts = meadow(modes, 601, leans);
 				for (int n = 0; n < 250; n++) {
-					blow(whole, n, wind);
-					blow(best, n, wind);
-					blow(parts, n, wind);
+					apply_wind(whole, n, wind);
+					apply_wind(best, n, wind);
+					apply_wind(parts, n, wind);
 					whole.step(SimdLevel::baseline, { 0.8f, -0.6f });
 					best.step(SimdLevel::avx2, { 0.8f, -0.6f });
 					parts.step(n % 2 == 0 ? SimdLevel::avx2 : SimdLevel::baseline, { 0.8f, -0.6f }, 1 + n % 37);
@@ -93,8 +93,8 @@ TEST_CASE("an upright stem among leaning ones has the same bits as among upright
 		StemPlants mixed = meadow(1, 40, false);
 		mixed.set_rest(39, { 0.2f, 0.1f });
 		for (int n = 0; n < 100; n++) {
-			blow(upright, n, wind);
-			blow(mixed, n, wind);
+			apply_wind(upright, n, wind);
+			apply_wind(mixed, n, wind);
 			upright.step();
 			mixed.step();
 		}
@@ -108,7 +108,7 @@ TEST_CASE("an upright stem among leaning ones has the same bits as among upright
 
 TEST_CASE("a step of stems allocates nothing") {
 	StemPlants plants = meadow(2, 1000, true);
-	blow(plants, 0, Blowing::both);
+	apply_wind(plants, 0, Blowing::both);
 	const StemPage page = plants.page();
 	std::vector<float> numbers(1000, 1.0f);
 	const long before = allocation_count();
@@ -168,7 +168,7 @@ TEST_CASE("no wind, however strong or wrong, moves a stem beyond the limits, and
 						plants.step(best_simd_level(), n % 30 == 29 ? glm::vec2(NONE, INF) : glm::vec2(-0.6f, 0.8f));
 						fine = fine && is_fine(plants);
 					}
-					plants.blow(0.0f);
+					plants.apply_wind(0.0f);
 					plants.run(40.0 / frequency + 60.0 * static_cast<double>(step));
 					CAPTURE(frequency);
 					CAPTURE(step);
@@ -193,7 +193,7 @@ TEST_CASE("stems settle in steady winds of any strength, at any step, leaning or
 							StemPlants plants(stem, 1, step);
 							plants.set_rest(0, { lean, 0.3f * lean });
 							const glm::vec2 speed = { 0.0f, std::sqrt(static_cast<float>(load) / stem.air_slope) };
-							plants.blow(static_cast<float>(load) / stem.dead_slope, &speed);
+							plants.apply_wind(static_cast<float>(load) / stem.dead_slope, &speed);
 							plants.use_newtons(wind != Blowing::air);
 							plants.use_air(wind != Blowing::newtons);
 							plants.run(60.0 / frequency + 100.0 * static_cast<double>(step));
@@ -219,7 +219,7 @@ TEST_CASE("a thousand steps of stems have the same bits on every platform") {
 	for (const int modes : { 1, 2 }) {
 		StemPlants plants = meadow(modes, 50, true);
 		for (int n = 0; n < 1000; n++) {
-			blow(plants, n, WINDS[n / 50 % 3]);
+			apply_wind(plants, n, WINDS[n / 50 % 3]);
 			plants.step(best_simd_level(), { 0.6f, 0.8f });
 		}
 		CHECK(plants.hash() == GOLDEN[modes - 1]);

@@ -1,7 +1,7 @@
 #include "../stem/stems.hpp"
 #include "motion/motion_page.hpp"
 #include "motion/part_bend.hpp"
-#include "motion/stem_blows.hpp"
+#include "motion/stem_impulses.hpp"
 #include "stem/stem_bones.hpp"
 #include "stem/stem_ground.hpp"
 #include "stem/stem_shape.hpp"
@@ -53,11 +53,11 @@ float lowest_tip(StemPlants &plants) {
 	return lowest;
 }
 
-void blow_away(StemPlants &plants, float strength) {
+void push_over(StemPlants &plants, float strength) {
 	for (int i = 0; i < PLANTS; i++) {
 		StemState state;
 		const float impulse = strength * plants.constants().mode[0].mass * plants.constants().mode[0].frequency;
-		blow_on_stem(plants.constants(), state, 1.0f,
+		apply_stem_impulse(plants.constants(), state, 1.0f,
 				{ impulse * noise(i, 3), impulse * noise(i, 4), impulse * noise(i, 5) }, 1.0f);
 		for (int k = 0; k < plants.constants().modes; k++) {
 			plants.set_rate(i, state.rate[k], k);
@@ -67,14 +67,14 @@ void blow_away(StemPlants &plants, float strength) {
 
 } // namespace
 
-TEST_CASE("no blow moves the tip of a stem below the ground") {
+TEST_CASE("no impulse moves the tip of a stem below the ground") {
 	for (const int modes : { 1, 2 }) {
 		for (const double taper : { 0.0, 0.5, 0.8 }) {
 			for (const double head : { 0.0, 1.0 }) {
 				StemPlants plants = meadow(jointed(4, taper, head, modes));
 				float lowest = 1.0f;
 				for (const float strength : { 3.0f, 30.0f, 1000.0f }) {
-					blow_away(plants, strength);
+					push_over(plants, strength);
 					for (int n = 0; n < 60; n++) {
 						plants.step();
 						lowest = std::min(lowest, lowest_tip(plants));
@@ -97,7 +97,7 @@ TEST_CASE("no gale moves the tip of a stem below the ground") {
 			for (int n = 0; n < 200; n++) {
 				const float angle = 0.05f * static_cast<float>(n);
 				const glm::vec2 air = { speed * std::cos(angle), (n % 40 < 20 ? speed : 0.0f) * std::sin(angle) };
-				plants.blow(0.0f, &air);
+				plants.apply_wind(0.0f, &air);
 				plants.step();
 				lowest = std::min(lowest, lowest_tip(plants));
 			}
@@ -207,8 +207,8 @@ TEST_CASE("stems on the ground have the same bits at every level, for any divisi
 	for (const int modes : { 1, 2 }) {
 		StemPlants whole = meadow(jointed(4, 0.5, 0.5, modes));
 		StemPlants parts = whole;
-		blow_away(whole, 100.0f);
-		blow_away(parts, 100.0f);
+		push_over(whole, 100.0f);
+		push_over(parts, 100.0f);
 		for (int n = 0; n < 60; n++) {
 			whole.step(SimdLevel::baseline);
 			parts.step(n % 2 == 0 ? SimdLevel::avx2 : SimdLevel::baseline, { 1.0f, 0.0f }, 1 + n % 17);

@@ -44,8 +44,8 @@ public:
 	double angle() const { return chain.tip_angle() - turn; }
 
 	void load(double slope) {
-		blow_plants(slope);
-		blow_chain(slope);
+		move_plants(slope);
+		move_chain(slope);
 	}
 	void settle() {
 		chain.settle();
@@ -58,10 +58,10 @@ public:
 		const double part = plants.time_step() / parts;
 		double worst = 0.0;
 		for (double time = 0.0; time < periods * period(); time += plants.time_step()) {
-			blow_plants(slope((time + 0.5 * plants.time_step()) / period()));
+			move_plants(slope((time + 0.5 * plants.time_step()) / period()));
 			plants.step();
 			for (int i = 0; i < parts; i++) {
-				blow_chain(slope((time + (i + 0.5) * part) / period()));
+				move_chain(slope((time + (i + 0.5) * part) / period()));
 				chain.step(part);
 			}
 			worst = std::max(worst, apart());
@@ -86,15 +86,15 @@ private:
 	StemPlants plants;
 	ReferenceChain chain;
 
-	void blow_plants(double slope) {
+	void move_plants(double slope) {
 		if (kind == Wind::newtons) {
-			plants.blow(static_cast<float>(slope) / stem.dead_slope);
+			plants.apply_wind(static_cast<float>(slope) / stem.dead_slope);
 		} else {
 			const glm::vec2 air = { static_cast<float>(speed(slope)), 0.0f };
-			plants.blow(0.0f, &air);
+			plants.apply_wind(0.0f, &air);
 		}
 	}
-	void blow_chain(double slope) {
+	void move_chain(double slope) {
 		if (kind == Wind::newtons) {
 			chain.set_force(slope / static_cast<double>(stem.dead_slope));
 		} else {

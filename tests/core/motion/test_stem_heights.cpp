@@ -41,7 +41,7 @@ MotionPage page_of(const StemBeam &beam, const std::vector<float> &ratios, float
 	return MotionPage(0, species, plants.data(), static_cast<int>(plants.size()), step, true);
 }
 
-void blow(MotionPage &page, const FieldWind &wind, int steps, SimdLevel level = best_simd_level()) {
+void apply_wind(MotionPage &page, const FieldWind &wind, int steps, SimdLevel level = best_simd_level()) {
 	for (int i = 0; i < steps; i++) {
 		page.step(wind_at_time(wind, i * static_cast<double>(page.step_length())), winds_along(wind), level);
 	}
@@ -60,7 +60,7 @@ double frequency_of(MotionPage &page, int index) {
 	int falls = 0;
 	float before = page.direction(index).x;
 	for (int i = 1; i < 1200; i++) {
-		blow(page, still(), 1);
+		apply_wind(page, still(), 1);
 		const float now = page.direction(index).x;
 		if (before > 0.0f && now <= 0.0f) {
 			last = (i - static_cast<double>(now / (now - before))) * static_cast<double>(page.step_length());
@@ -98,13 +98,13 @@ TEST_CASE("stems with a given stiffness bend by their own height in both winds")
 		wind.wind.strength = 0.3f / solve_stem(beam).constants.dead_slope;
 		wind.air.speed = 6.0f;
 		MotionPage page = page_of(beam, ratios);
-		blow(page, wind, 3000);
+		apply_wind(page, wind, 3000);
 		for (int i = 0; i < page.size(); i++) {
 			CAPTURE(ratios[i]);
 			StemBeam own = beam;
 			own.length *= ratios[i];
 			MotionPage alone = page_of(own, { 1.0f });
-			blow(alone, wind, 3000);
+			apply_wind(alone, wind, 3000);
 			const glm::vec3 is = page.direction(i);
 			const glm::vec3 expected = alone.direction(0);
 			const auto slope = [](const glm::vec3 &tip) { return glm::length(glm::vec2(tip.x, tip.z)) / tip.y; };
@@ -145,8 +145,8 @@ TEST_CASE("stems of any height stay finite and calm down") {
 	MotionPage page = page_of(beam, { 0.01f, 0.3f, 1.0f, 1.3f, 2.0f, 50.0f }, 1.0f / 15.0f);
 	FieldWind wind;
 	wind.wind.strength = 1e6f;
-	blow(page, wind, 300);
-	blow(page, still(), 6000);
+	apply_wind(page, wind, 300);
+	apply_wind(page, still(), 6000);
 	for (int i = 0; i < page.size(); i++) {
 		CAPTURE(i);
 		CHECK(page.direction(i).y > 0.999f);
@@ -180,8 +180,8 @@ TEST_CASE("graded stems have the same bits at every level of SIMD") {
 	wind.wind.kind = WindKind::waves;
 	wind.wind.strength = 0.1f;
 	wind.wind.direction = 0.7f;
-	blow(one, wind, 200, SimdLevel::baseline);
-	blow(other, wind, 200);
+	apply_wind(one, wind, 200, SimdLevel::baseline);
+	apply_wind(other, wind, 200);
 	for (int i = 0; i < one.size(); i++) {
 		CHECK(one.direction(i) == other.direction(i));
 	}

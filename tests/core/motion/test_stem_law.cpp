@@ -57,7 +57,7 @@ TEST_CASE("a load in newtons bends the tip to tan θ = its linear slope") {
 			for (const double load : { 0.1, 0.5, 1.0, 2.5, 12.0, 300.0, 1e4 }) {
 				const StemConstants stem = two ? stem_of_two_modes(frequency, 0.1) : simple_stem(frequency, 0.1);
 				StemPlants plants(stem, 1, FRAME_STEP);
-				plants.blow(static_cast<float>(load) / stem.dead_slope);
+				plants.apply_wind(static_cast<float>(load) / stem.dead_slope);
 				plants.run(30.0 / frequency);
 				CAPTURE(frequency);
 				CAPTURE(load);
@@ -76,7 +76,7 @@ TEST_CASE("a wind in m/s bends the tip to sin θ/cos² θ = its linear slope") {
 				const double scale = 1e-3 * load / static_cast<double>(stem.air_slope); // Wind of 31 m/s.
 				plants.set_scale(0, static_cast<float>(scale));
 				const glm::vec2 wind = { 0.0f, std::sqrt(1000.0f) };
-				plants.blow(0.0f, &wind);
+				plants.apply_wind(0.0f, &wind);
 				plants.run(30.0 / frequency);
 				const double angle = plants.tip_angle(0);
 				CAPTURE(frequency);

@@ -56,7 +56,7 @@ inline MotionPage meadow(Law law, int first, int count, MotionPage::Keeps keeps 
 	return page;
 }
 
-inline void blow(MotionPage &page, int step, SimdLevel level = best_simd_level()) {
+inline void apply_wind(MotionPage &page, int step, SimdLevel level = best_simd_level()) {
 	FieldWind wind;
 	wind.wind.kind = WindKind::waves;
 	wind.wind.strength = 2.0f;

@@ -54,16 +54,17 @@ TEST_CASE("faults of density, clumping and species are found") {
 	CHECK(fault_with([](Request &r) { r.species.clear(); }) == PlacementFault::no_species);
 	CHECK(fault_with([](Request &r) { r.species.resize(257); }) == PlacementFault::too_many_species);
 	CHECK(fault_with([](Request &r) { r.species.resize(256); }) == PlacementFault::none);
-	CHECK(fault_with([](Request &r) { r.species[0].share = r.species[1].share = 0.0f; }) == PlacementFault::no_share);
+	CHECK(fault_with([](Request &r) { r.species[0].weight = r.species[1].weight = 0.0f; }) ==
+			PlacementFault::no_weight);
 }
 
 TEST_CASE("faults of one species are found") {
 	using Species = PlacementSpecies;
-	CHECK(species_fault_with([](Species &s) { s.share = 0.0f; }) == PlacementFault::none);
-	CHECK(species_fault_with([](Species &s) { s.share = -1.0f; }) == PlacementFault::bad_share);
-	CHECK(species_fault_with([](Species &s) { s.share = NOT_A_NUMBER; }) == PlacementFault::bad_share);
-	CHECK(species_fault_with([](Species &s) { s.share = std::numeric_limits<float>::infinity(); }) ==
-			PlacementFault::bad_share);
+	CHECK(species_fault_with([](Species &s) { s.weight = 0.0f; }) == PlacementFault::none);
+	CHECK(species_fault_with([](Species &s) { s.weight = -1.0f; }) == PlacementFault::bad_weight);
+	CHECK(species_fault_with([](Species &s) { s.weight = NOT_A_NUMBER; }) == PlacementFault::bad_weight);
+	CHECK(species_fault_with([](Species &s) { s.weight = std::numeric_limits<float>::infinity(); }) ==
+			PlacementFault::bad_weight);
 	CHECK(species_fault_with([](Species &s) { s.variants = 0; }) == PlacementFault::bad_variants);
 	CHECK(species_fault_with([](Species &s) { s.variants = 257; }) == PlacementFault::bad_variants);
 	CHECK(species_fault_with([](Species &s) { s.min_scale = 0.0f; }) == PlacementFault::bad_scale);

@@ -26,8 +26,8 @@ constexpr double BED_AREA = 30.0 * 30.0;
 /// Grass 60 : poppy 3. Before `paint_it` the map gives the mix everywhere.
 PlacementRequest meadow(const std::function<void(DensityMap &)> &paint_it) {
 	PlacementRequest request = square_field(SIDE, DENSITY, 2);
-	request.species[GRASS].share = 60.0f;
-	request.species[POPPY].share = 3.0f;
+	request.species[GRASS].weight = 60.0f;
+	request.species[POPPY].weight = 3.0f;
 	DensityMap map;
 	request.species[GRASS].layer = map.need_layer("Grass");
 	request.species[POPPY].layer = map.need_layer("Poppy");
@@ -93,7 +93,7 @@ TEST_CASE("drifts of a species do not change its painted density") {
 
 TEST_CASE("other species fill a sparsely painted drift") {
 	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 1.0f); });
-	request.species[POPPY].share = 60.0f;
+	request.species[POPPY].weight = 60.0f;
 	request.clumping = 1.0f;
 	const FieldPlants plants = placed(request);
 	CHECK(density_in_bed(plants, POPPY) == doctest::Approx(1.0).epsilon(0.1));
@@ -143,14 +143,14 @@ TEST_CASE("more plants than the field has room for are reduced in proportion") {
 
 TEST_CASE("a species without a weight in the mix grows where it is painted") {
 	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 3.0f); });
-	request.species[POPPY].share = 0.0f;
+	request.species[POPPY].weight = 0.0f;
 	CHECK(density_in_bed(placed(request), POPPY) == doctest::Approx(3.0).epsilon(0.06));
 }
 
 TEST_CASE("two entries of one layer share its painted plants") {
 	PlacementRequest request = meadow([](DensityMap &map) { paint_bed(map, 6.0f); });
 	request.species.push_back(request.species[POPPY]);
-	request.species.back().share = 6.0f;
+	request.species.back().weight = 6.0f;
 	const FieldPlants plants = placed(request);
 	CHECK(density_in_bed(plants, POPPY) == doctest::Approx(2.0).epsilon(0.08));
 	CHECK(density_in_bed(plants, POPPY + 1) == doctest::Approx(4.0).epsilon(0.08));

@@ -35,7 +35,7 @@ TEST_CASE("species occur by their weights, with and without clumping") {
 	PlacementRequest request = square_field(200.0f, 2.0f, 4);
 	const double shares[] = { 6.0, 0.0, 3.0, 1.0 };
 	for (std::size_t i = 0; i < 4; i++) {
-		request.species[i].share = static_cast<float>(shares[i]);
+		request.species[i].weight = static_cast<float>(shares[i]);
 	}
 	for (const float clumping : { 0.0f, 0.5f, 1.0f }) {
 		request.clumping = clumping;

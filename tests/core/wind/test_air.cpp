@@ -51,8 +51,8 @@ struct Velocities {
 Velocities velocities(const FieldWind &wind, double time, SimdLevel level = best_simd_level()) {
 	const WindSnapshot now = wind_at_time(wind, time);
 	Velocities out;
-	sample_air(now, blow_over(now.air, STAND, winds_along(wind)), places(1).data(), places(2).data(), nullptr, PLANTS,
-			out.x.data(), out.z.data(), level);
+	sample_air(now, moments_over(now.air, STAND, winds_along(wind)), places(1).data(), places(2).data(), nullptr,
+			PLANTS, out.x.data(), out.z.data(), level);
 	return out;
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("air has the same bits at every level, for any division of plants") {
 		float x = 0.0f, z = 0.0f;
 		const WindSnapshot now = wind_at_time(breeze(), 0.37 * i);
 		const std::vector<float> xs = places(1), zs = places(2);
-		sample_air(now, blow_over(now.air, STAND, winds_along(breeze())), &xs[717], &zs[717], nullptr, 1, &x, &z);
+		sample_air(now, moments_over(now.air, STAND, winds_along(breeze())), &xs[717], &zs[717], nullptr, 1, &x, &z);
 		REQUIRE(x == whole.x[717]);
 		REQUIRE(z == whole.z[717]);
 	}
@@ -104,11 +104,11 @@ TEST_CASE("isolated plants have the wind of their own height above open ground")
 	for (const bool gusts : { false, true }) {
 		wind.air.turbulence = gusts ? -1.0f : 0.0f;
 		const WindSnapshot now = wind_at_time(wind, 3.0);
-		const AirBlow blow = blow_over(now.air, 0.0f, winds_along(wind));
+		const AirMoments moments = moments_over(now.air, 0.0f, winds_along(wind));
 		Velocities plain, best;
-		sample_air(now, blow, xs.data(), zs.data(), lengths.data(), PLANTS, plain.x.data(), plain.z.data(),
+		sample_air(now, moments, xs.data(), zs.data(), lengths.data(), PLANTS, plain.x.data(), plain.z.data(),
 				SimdLevel::baseline);
-		sample_air(now, blow, xs.data(), zs.data(), lengths.data(), PLANTS, best.x.data(), best.z.data());
+		sample_air(now, moments, xs.data(), zs.data(), lengths.data(), PLANTS, best.x.data(), best.z.data());
 		REQUIRE(plain.x == best.x);
 		REQUIRE(plain.z == best.z);
 		for (std::size_t i = 0; !gusts && i < PLANTS; i++) {
@@ -200,9 +200,9 @@ TEST_CASE("air is independent of the axes of its positions") {
 	const float x = 3.0f, z = 5.0f, none = 0.0f, height = 0.4f;
 	glm::vec2 found = {}, there = {};
 	const WindSnapshot in_field = wind_at_time(field, 100.0), in_world = wind_at_time(world, 100.0);
-	const AirBlow blow = blow_over(in_world.air, 0.0f, winds_along(world));
-	sample_air(in_field, blow, &x, &z, &height, 1, &found.x, &found.y);
-	sample_air(in_world, blow, &none, &none, &height, 1, &there.x, &there.y);
+	const AirMoments moments = moments_over(in_world.air, 0.0f, winds_along(world));
+	sample_air(in_field, moments, &x, &z, &height, 1, &found.x, &found.y);
+	sample_air(in_world, moments, &none, &none, &height, 1, &there.x, &there.y);
 	CHECK(static_cast<double>(glm::distance(found, there)) < VELOCITY_TOLERANCE);
 	const glm::vec3 place = { static_cast<float>(world.axes.origin.x), height,
 		static_cast<float>(world.axes.origin.y) };

@@ -54,11 +54,11 @@ struct Canopy {
 		ahead.prepare(wind, along, moment, STEP, turn,
 				{ x.data(), z.data(), lengths.data(), PLANTS, canopy_height, swing }, level);
 		const WindSnapshot now = wind_at_time(wind, along, moment);
-		const AirBlow blow = blow_over(now.air, canopy_height, along);
+		const AirMoments moments = moments_over(now.air, canopy_height, along);
 		const float *alone = canopy_height > 0.0f ? nullptr : lengths.data();
-		sample_air(now, blow, x.data(), z.data(), alone, PLANTS, is_x.data(), is_z.data(), level);
+		sample_air(now, moments, x.data(), z.data(), alone, PLANTS, is_x.data(), is_z.data(), level);
 		if (ahead.is_ready()) {
-			ahead.interpolate(blow, 0, PLANTS, ahead_x.data(), ahead_z.data(), level);
+			ahead.interpolate(moments, 0, PLANTS, ahead_x.data(), ahead_z.data(), level);
 		}
 		return ahead.is_ready();
 	}

@@ -33,7 +33,7 @@ constexpr AirSource::Kind ALL[] = { AirSource::Kind::explosion, AirSource::Kind:
 
 } // namespace
 
-TEST_CASE("an explosion blows outward by its formula, and then back") {
+TEST_CASE("an explosion pushes outward by its formula, and then back") {
 	AirSource source = source_of(AirSource::Kind::explosion);
 	for (const float age : { 0.02f, 0.1f, 0.15f, 0.3f, 0.9f, 2.0f }) {
 		for (const float distance : { 0.5f, 3.0f, 8.0f, 20.0f }) {

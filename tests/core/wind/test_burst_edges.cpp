@@ -7,7 +7,7 @@
 
 using namespace undergrowth;
 
-TEST_CASE("a burst blows from the start of a period to just before its middle") {
+TEST_CASE("a burst lasts from the start of a period to just before its middle") {
 	const float place = 0.0f;
 	for (const SimdLevel level : { SimdLevel::baseline, best_simd_level() }) {
 		for (const float cycle : { 0.0f, 0.25f, 0.4999f, 0.5f, 0.75f, 0.9999f, 1.0f, 1.5f }) {

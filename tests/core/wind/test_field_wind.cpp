@@ -112,7 +112,7 @@ TEST_CASE("the delay grows along the wind by distance over speed, and not across
 	CHECK(glm::distance(glm::vec3(direction.x, 0.0f, direction.z), along) < 1e-6f);
 }
 
-TEST_CASE("a wind without a speed blows everywhere at once") {
+TEST_CASE("a wind without a speed is the same everywhere") {
 	constexpr float INF = std::numeric_limits<float>::infinity();
 	for (const float speed : { 0.0f, -3.0f, INF, std::numeric_limits<float>::quiet_NaN() }) {
 		FieldWind wind = wind_of(WindKind::waves);

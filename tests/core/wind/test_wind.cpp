@@ -23,14 +23,14 @@ Wind wind_of(WindKind kind) {
 
 } // namespace
 
-TEST_CASE("a constant wind blows with its strength at all times") {
+TEST_CASE("a constant wind has its strength at all times") {
 	const Wind wind = wind_of(WindKind::constant);
 	CHECK(wind_strength(wind, -3.0) == 10.0f);
 	CHECK(wind_strength(wind, 0.0) == 10.0f);
 	CHECK(wind_strength(wind, 1e6) == 10.0f);
 }
 
-TEST_CASE("a gust blows from its start for its duration and is over") {
+TEST_CASE("a gust lasts from its start for its duration and is over") {
 	Wind wind = wind_of(WindKind::gust);
 	wind.gust_start = 2.0;
 	wind.gust_duration = 0.5f;
@@ -42,7 +42,7 @@ TEST_CASE("a gust blows from its start for its duration and is over") {
 	CHECK(wind_strength(wind, 2.2) == 10.0f);
 }
 
-TEST_CASE("a triggered gust blows on top of the other kinds") {
+TEST_CASE("a triggered gust adds to the other kinds") {
 	Wind wind = wind_of(WindKind::constant);
 	wind.gust_start = 2.0;
 	CHECK(wind_strength(wind, 2.2) == 10.0f);
@@ -79,7 +79,7 @@ TEST_CASE("a triggered gust can have its own strength and length") {
 	}
 }
 
-TEST_CASE("bursts blow in the first half of each period and stop fully in the second") {
+TEST_CASE("bursts fill the first half of each period and stop fully in the second") {
 	Wind wind = wind_of(WindKind::bursts);
 	CHECK(wind_strength(wind, 0.0) == 10.0f);
 	CHECK(wind_strength(wind, 0.99) == 10.0f);
@@ -122,7 +122,7 @@ TEST_CASE("wind without strength or frequency is still a number") {
 	CHECK(wind_strength(wind, 12.0) == 0.0f);
 }
 
-TEST_CASE("direction 0 blows towards +z, a quarter turn towards +x") {
+TEST_CASE("direction 0 points towards +z, a quarter turn towards +x") {
 	Wind wind;
 	wind.direction = 0.0f;
 	CHECK(wind_direction(wind).x == doctest::Approx(0.0f).epsilon(UNIT_TOLERANCE));

@@ -33,17 +33,17 @@ func test_values_are_converted_as_the_engine_does() -> void:
 	check_equal(ProbeNode.join(&"name", "d"), "named")
 
 
-func test_too_few_arguments_are_told() -> void:
+func test_too_few_arguments_are_reported() -> void:
 	check_equal(_node.callv("add", []), null)
 	check_error("Method expected")
 
 
-func test_too_many_arguments_are_told() -> void:
+func test_too_many_arguments_are_reported() -> void:
 	check_equal(_node.callv("add", [1, 2, 3, 4]), null)
 	check_error("Method expected 3 argument")
 
 
-func test_an_argument_of_the_wrong_type_is_told() -> void:
+func test_an_argument_of_the_wrong_type_is_reported() -> void:
 	check_equal(_node.callv("add", [1, Vector3.ZERO]), null)
 	check_error("Cannot convert argument 2 from Vector3 to int")
 	check_equal(_node.callv("set_speed", ["fast"]), null)
@@ -52,7 +52,7 @@ func test_an_argument_of_the_wrong_type_is_told() -> void:
 		check_equal(_node.speed, 1.0, "the speed, as the call was not made,")
 
 
-func test_an_object_of_the_wrong_class_is_told() -> void:
+func test_an_object_of_the_wrong_class_is_reported() -> void:
 	_node.callv("set_resource", [Resource.new()])
 	if ProbeChecks.is_bundled_binding():
 		check_error("Cannot convert argument 1 from Object to Object")
@@ -86,7 +86,7 @@ func test_columns_of_a_basis_are_its_axes() -> void:
 	check_equal(_node.callv("turn", [basis]), _node.turn(basis))
 
 
-func test_methods_tell_their_arguments() -> void:
+func test_methods_report_their_arguments() -> void:
 	var method := _method("ProbeNode", "add")
 	check_equal(method["args"].size(), 3)
 	check_equal(method["args"][1]["name"], "b")
@@ -96,7 +96,7 @@ func test_methods_tell_their_arguments() -> void:
 	check_equal(_method("ProbeNode", "get_resource")["return"]["class_name"], &"ProbeResource")
 
 
-func test_objects_of_classes_that_the_binding_does_not_know_pass_through() -> void:
+func test_objects_of_unbound_classes_pass_through() -> void:
 	var resource := ProbeResource.new()
 	var timer := Timer.new()
 	check(resource.ask_node(timer) == timer, "a Timer passes as a Node")

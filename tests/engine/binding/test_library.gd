@@ -6,7 +6,7 @@ const PROJECT := 'config_version=5\n\n[application]\n\nconfig/name="Reload"\n'
 const RELOAD_SCRIPT := "res://tests/engine/binding/reload_in_editor.gd"
 
 
-func test_classes_are_registered_as_asked() -> void:
+func test_classes_are_registered_by_their_kind() -> void:
 	check(ClassDB.can_instantiate("ProbeResource"), "a plain class")
 	check(not ClassDB.can_instantiate("ProbeAbstract"), "an abstract class")
 	check(ClassDB.can_instantiate("ProbeRuntime"), "a class for running projects")

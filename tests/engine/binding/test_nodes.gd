@@ -22,7 +22,7 @@ func after_each() -> void:
 	_node.free()
 
 
-func test_a_new_object_is_told_once_that_it_is_complete() -> void:
+func test_a_new_object_is_notified_once_that_it_is_complete() -> void:
 	check_equal(_node.get_log(), PackedStringArray(["postinitialize"]))
 	check(_node.get_inner_child().get_parent() == _node, "a child made in the constructor")
 
@@ -34,7 +34,7 @@ func test_notifications_and_engine_virtuals_arrive_in_order() -> void:
 	check_equal(_node.get_log(), PackedStringArray(["enter", "ready", "exit"]))
 
 
-func test_bases_hear_notifications_first_and_goodbyes_last() -> void:
+func test_base_classes_get_notifications_first_and_predelete_last() -> void:
 	var derived := ProbeDerived.new()
 	derived.clear_log()
 	root.add_child(derived)
@@ -61,11 +61,11 @@ func test_process_is_called_when_overridden() -> void:
 
 
 func test_signals_bring_their_arguments() -> void:
-	var heard: Array = []
-	_node.measured.connect(func(value: float, at: Vector3) -> void: heard.append([value, at]))
+	var signals: Array = []
+	_node.measured.connect(func(value: float, at: Vector3) -> void: signals.append([value, at]))
 	_node.position.y = 2.0
 	_node.measure(1.5)
-	check_equal(heard, [[1.5, Vector3(0, 2, 0)]])
+	check_equal(signals, [[1.5, Vector3(0, 2, 0)]])
 	for entry in ClassDB.class_get_signal_list("ProbeNode", true):
 		check_equal(entry["args"][1]["name"], "at")
 
@@ -116,7 +116,7 @@ func test_an_object_writes_itself_as_text() -> void:
 	check_equal(str(_node), "<probe at 2.0>")
 
 
-func test_constants_are_known() -> void:
+func test_constants_are_bound() -> void:
 	check(ClassDB.class_has_integer_constant("ProbeNode", "NOTIFICATION_READY"), "bound")
 	check_equal(ClassDB.class_get_integer_constant("ProbeNode", "NOTIFICATION_READY"), 13)
 

@@ -72,7 +72,7 @@ func test_without_a_script_the_caller_gets_its_own_answer() -> void:
 	check_equal(plain.ask_label("l"), "l")
 	check_equal(plain.ask_anything(), "nothing")
 	check(plain.ask_resource(null) == null, "no resource")
-	check(not plain.note("n"), "nobody notes")
+	check(not plain.note("n"), "none notes")
 	check(not plain.is_count_overridden(), "not overridden")
 
 

@@ -27,7 +27,7 @@ func test_defaults_are_the_values_of_a_new_object() -> void:
 	check_equal(ClassDB.class_get_property_default_value("ProbeResource", "label"), "none")
 
 
-func test_reverts_ask_the_class() -> void:
+func test_reverts_use_the_class() -> void:
 	var resource := ProbeResource.new()
 	check(resource.property_can_revert("label"), "the label")
 	check_equal(resource.property_get_revert("label"), "reverted")
@@ -60,7 +60,7 @@ func test_properties_have_groups_and_hints() -> void:
 	check_equal(_property(resource, "curve")["class_name"], &"Curve")
 
 
-func test_enums_are_known_by_name() -> void:
+func test_enums_are_bound_by_name() -> void:
 	check("Kind" in ClassDB.class_get_enum_list("ProbeResource", true), "Kind")
 	check(ClassDB.is_class_enum_bitfield("ProbeResource", "Parts"), "Parts are flags")
 	check_equal(ClassDB.class_get_integer_constant("ProbeResource", "KIND_ROUND"), 5)

@@ -24,18 +24,18 @@ func after_each() -> void:
 func test_all_plants_that_have_a_width_are_drawn() -> void:
 	await start()
 	for x: float in [-7.0, -3.1, 0.0, 2.6]:
-		await _look_from(Vector3(x, 0.5, 0.7))
+		await _view_from(Vector3(x, 0.5, 0.7))
 		_check_all_with_a_width()
-		await _look_from(_camera.position + CAMERA_STEP * Vector3.RIGHT)
+		await _view_from(_camera.position + CAMERA_STEP * Vector3.RIGHT)
 		_check_all_with_a_width()
 
 
 func test_fewer_are_drawn_where_none_have_a_width() -> void:
 	await start()
-	await _look_from(Vector3(0.0, 0.5, 0.0))
+	await _view_from(Vector3(0.0, 0.5, 0.0))
 	var near := _count_drawn()
 	check(near < 0.7 * field.get_plant_count(), "%d are drawn near" % near)
-	await _look_from(Vector3(20.0, 0.5, 0.0))
+	await _view_from(Vector3(20.0, 0.5, 0.0))
 	check(_count_drawn() < 0.1 * near, "%d are drawn far away" % _count_drawn())
 
 
@@ -45,15 +45,15 @@ func test_fields_of_any_place_and_scale_draw_all_plants_that_have_a_width() -> v
 	field.scale = Vector3(1.5, 1.0, 0.8)
 	await start()
 	for x: float in [-3.0, 0.0, 2.0]:
-		await _look_from(field.to_global(Vector3(x, 0.3, 0.5)))
+		await _view_from(field.to_global(Vector3(x, 0.3, 0.5)))
 		_check_all_with_a_width()
 	field.position = Vector3.ZERO
 	await frames(2)
-	await _look_from(field.to_global(Vector3(1.0, 0.3, 0.5)))
+	await _view_from(field.to_global(Vector3(1.0, 0.3, 0.5)))
 	_check_all_with_a_width()
 
 
-func _look_from(place: Vector3) -> void:
+func _view_from(place: Vector3) -> void:
 	_camera.position = place
 	await frames(2)
 	RenderingServer.force_draw(false)  # A headless engine draws no frame without this call.

@@ -9,7 +9,7 @@ const LAST := 320
 
 var _field := PlantField3D.from_species([TulipFunction.new()])
 var _ids := PackedInt64Array()
-var _told := -1
+var _reported := -1
 
 
 func _initialize() -> void:
@@ -29,8 +29,8 @@ func _process(_delta: float) -> bool:
 		return false
 	var time := _field.get_motion_time()
 	var step := roundi(time / PlantSimulation.step_length)
-	if step >= FIRST and step != _told:
-		_told = step
+	if step >= FIRST and step != _reported:
+		_reported = step
 		var states := _field.get_motion_state(_ids)
 		print("step %d %d %f" % [step, hash(states), absf(_field.wind.get_time() - time)])
 	return step >= LAST

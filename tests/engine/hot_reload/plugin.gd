@@ -33,7 +33,7 @@ func _run() -> void:
 	_drive(_tulip)
 	for round_number in 3:
 		var status: int = GDExtensionManager.reload_extension(EXTENSION)
-		_tell("reload %d" % round_number, status == GDExtensionManager.LOAD_STATUS_OK)
+		_report("reload %d" % round_number, status == GDExtensionManager.LOAD_STATUS_OK)
 		await _frames(3)
 		await _check_all(round_number)
 	for plant in [_tulip, _curve, _field]:
@@ -48,24 +48,24 @@ func _run() -> void:
 
 func _check_all(round_number: int) -> void:
 	var prefix := "after reload %d: " % round_number
-	_tell(prefix + "settings of the plant", _tulip.height == 1.25 and _tulip.segments == 7)
-	_tell(prefix + "seed of the plant", _tulip.seed == 5 and not _tulip.simulation_enabled)
+	_report(prefix + "settings of the plant", _tulip.height == 1.25 and _tulip.segments == 7)
+	_report(prefix + "seed of the plant", _tulip.seed == 5 and not _tulip.simulation_enabled)
 	var species: Resource = _tulip.species
-	_tell(prefix + "species", species.get_class() == "TulipFunction" and species.mass == 0.75)
-	_tell(prefix + "wind", _tulip.wind == _shared and _shared.strength == _last_strength)
-	_tell(prefix + "curve", _curve.species.width_curve.point_count == 2)
+	_report(prefix + "species", species.get_class() == "TulipFunction" and species.mass == 0.75)
+	_report(prefix + "wind", _tulip.wind == _shared and _shared.strength == _last_strength)
+	_report(prefix + "curve", _curve.species.width_curve.point_count == 2)
 	for plant: Node3D in [_tulip, _curve]:
-		_tell(
+		_report(
 			prefix + "one skeleton", plant.find_children("*", "Skeleton3D", true, false).size() == 1
 		)
-		_tell(
+		_report(
 			prefix + "one mesh", plant.find_children("*", "MeshInstance3D", true, false).size() == 1
 		)
 		var skeleton: Skeleton3D = plant.call("get_skeleton")
-		_tell(prefix + "its own skeleton", skeleton == plant.get_child(0, true))
+		_report(prefix + "its own skeleton", skeleton == plant.get_child(0, true))
 		var mesh: ArrayMesh = plant.call("get_mesh")
-		_tell(prefix + "mesh", absf(mesh.get_aabb().size.y - plant.height) < 1e-5)
-		_tell(prefix + "mesh shown", skeleton.get_child(0, true).mesh == mesh)
+		_report(prefix + "mesh", absf(mesh.get_aabb().size.y - plant.height) < 1e-5)
+		_report(prefix + "mesh shown", skeleton.get_child(0, true).mesh == mesh)
 	_check_motion(prefix)
 	await _check_signals(prefix)
 	await _check_field(prefix)
@@ -75,9 +75,9 @@ func _check_motion(prefix: String) -> void:
 	_tulip.call("reset_motion")
 	_drive(_tulip)
 	var tip: Vector3 = _tulip.call("get_tip_position")
-	_tell(prefix + "the wind moves it", tip.x > 0.01 and absf(tip.length() - 1.25) < 1e-4)
+	_report(prefix + "the wind moves it", tip.x > 0.01 and absf(tip.length() - 1.25) < 1e-4)
 	var turned: Quaternion = _tulip.call("get_skeleton").get_bone_pose_rotation(1)
-	_tell(prefix + "its bone turns", (turned * Vector3.UP).angle_to(tip) < 0.15)
+	_report(prefix + "its bone turns", (turned * Vector3.UP).angle_to(tip) < 0.15)
 
 
 func _check_signals(prefix: String) -> void:
@@ -86,28 +86,28 @@ func _check_signals(prefix: String) -> void:
 		await _frames(2)
 		var count: int = _tulip.call("get_mesh").surface_get_array_len(0)
 		var expected: ArrayMesh = _tulip.species.call("generate_mesh", 1.25, 7)
-		_tell(prefix + "it follows its species", count == expected.surface_get_array_len(0))
+		_report(prefix + "it follows its species", count == expected.surface_get_array_len(0))
 	var before: float = _curve.call("get_mesh").get_aabb().size.x
 	var width: Curve = _curve.species.width_curve
 	width.set_point_value(0, width.get_point_position(0).y * 0.5)
 	await _frames(2)
 	var after: float = _curve.call("get_mesh").get_aabb().size.x
-	_tell(prefix + "it follows its curve", absf(after - 0.5 * before) < 1e-3 * before)
+	_report(prefix + "it follows its curve", absf(after - 0.5 * before) < 1e-3 * before)
 
 
 func _check_field(prefix: String) -> void:
-	_tell(prefix + "settings of the field", _field.density == 6.0 and _field.species.size() == 1)
+	_report(prefix + "settings of the field", _field.density == 6.0 and _field.species.size() == 1)
 	var entry: Resource = _field.species[0]
-	_tell(prefix + "its entry", entry.weight == 0.5 and entry.species == _tulip.species)
+	_report(prefix + "its entry", entry.weight == 0.5 and entry.species == _tulip.species)
 	await _until_filled()
-	_tell(prefix + "the field is filled", _field.call("get_plant_count") > 10)
+	_report(prefix + "the field is filled", _field.call("get_plant_count") > 10)
 	var id: int = _field.call("get_plant_ids")[0]
 	var before: Vector3 = _field.call("get_tip_position", id)
 	for i in 20:
 		_shared.call("advance", STEP)
 		_field.call("_preview", STEP, _shared)
 	var after: Vector3 = _field.call("get_tip_position", id)
-	_tell(prefix + "the field moves", after.distance_to(before) > 1e-3)
+	_report(prefix + "the field moves", after.distance_to(before) > 1e-3)
 
 
 func _until_filled() -> void:
@@ -159,5 +159,5 @@ func _frames(count: int) -> void:
 		await get_tree().process_frame
 
 
-func _tell(what: String, holds: bool) -> void:
+func _report(what: String, holds: bool) -> void:
 	print("result " + what + ("" if holds else ": does not hold"))

@@ -11,6 +11,7 @@ const MAX_VALUES: Dictionary[String, float] = {
 	"variants": 6.0,
 	"segments": 14.0,
 	"lobes": 12.0,
+	"lod": 64.0,
 	"delta": 0.3,
 	"seconds": 100.0,
 }
@@ -48,7 +49,8 @@ func value(info: Dictionary) -> Variant:
 		TYPE_BOOL:
 			made = chance(0.5)
 		TYPE_INT:
-			made = _capped(info, _integer(info))
+			# A field with this seed takes another from its position.
+			made = -1 if info["name"] == "seed" and chance(0.2) else _capped(info, _integer(info))
 		TYPE_FLOAT:
 			made = _capped(info, _number(info))
 		TYPE_VECTOR2:

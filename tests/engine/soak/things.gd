@@ -19,12 +19,21 @@ const SHAPES: Array[StringName] = [
 ]
 const ScriptSpecies := preload("res://tests/engine/soak/script_species.gd")
 const GrowingSpecies := preload("res://tests/engine/soak/growing_species.gd")
+const HeightObject := preload("res://tests/engine/soak/height_object.gd")
+const Ground3D := preload("res://addons/undergrowth/grounds/ground_3d.gd")
+const GROUNDS: Array[Material] = [
+	preload("res://addons/undergrowth/grounds/meadow.tres"),
+	preload("res://addons/undergrowth/grounds/mud.tres"),
+]
 const READY_SPECIES := "res://addons/undergrowth/species/"
+const MIXES := "res://addons/undergrowth/mixes/"
 ## Number of ready species in a round. Sanitizers make their builds slow.
 const READY_COUNT := 3
 const MAX_SAVED_BYTES := 8
 const THREAD_TASKS := 4
 const MAX_IDS := 60
+## Index of the first built-in species after the scripts.
+const FIRST_GRASS := 2
 
 var winds: Array[PlantWind] = [PlantWind.new(), PlantWind.new()]
 var maps: Array[PlantMap] = [PlantMap.new(), PlantMap.new()]
@@ -61,6 +70,11 @@ func _init(seed: int, fields: Array[PlantField3D], others: Array[Node3D]) -> voi
 
 
 func new_field() -> PlantField3D:
+	match rng.randi_range(0, 11):
+		0:
+			return _new_large_field()
+		1:
+			return _new_mix()
 	var field := (
 		PlantField3D.from_species(_some(_functions, 3)) if chance(0.5) else PlantField3D.new()
 	)
@@ -73,6 +87,27 @@ func new_field() -> PlantField3D:
 	return field
 
 
+## Returns a field of so many plants that its first build has several parts.
+func _new_large_field() -> PlantField3D:
+	var field := PlantField3D.from_species([_functions[FIRST_GRASS]])
+	field.levels = [PlantFieldLevel.of(2)]
+	field.size = Vector2(30.0, 30.0)
+	field.density = 28.0
+	field.prototypes = 16
+	field.tile_size = pick([4.0, 10.0])
+	field.view_distance = pick([0.0, 0.0, 12.0])
+	field.wind = pick(winds)
+	return field
+
+
+func _new_mix() -> PlantField3D:
+	var files := ResourceLoader.list_directory(MIXES)
+	var mix: PackedScene = load(MIXES + files[rng.randi_range(0, files.size() - 1)])
+	var field: PlantField3D = mix.instantiate()
+	field.size = Vector2(3.0, 2.0)
+	return field
+
+
 func new_plant() -> Plant3D:
 	var plant := Plant3D.new()
 	plant.species = pick(_functions)
@@ -81,9 +116,9 @@ func new_plant() -> Plant3D:
 	return plant
 
 
-## Returns a path, a body, a mesh for the ground, a camera, or a parent node.
+## Returns a path, a body, a mesh or an object for the ground, a camera, or a parent node.
 func new_other() -> Node3D:
-	match rng.randi_range(0, 8):
+	match rng.randi_range(0, 10):
 		0:
 			var path := Path3D.new()
 			edit_path(path)
@@ -102,6 +137,10 @@ func new_other() -> Node3D:
 			return Node3D.new()
 		4, 5:
 			return _new_wind_source()
+		6:
+			return HeightObject.new()
+		7:
+			return _new_shaded_ground()
 	return _new_body()
 
 
@@ -111,6 +150,24 @@ func edit_path(path: Path3D) -> void:
 	path.curve = null if chance(0.1) else Curve3D.new()
 	for i in rng.randi_range(0, 8) if path.curve != null else 0:
 		path.curve.add_point(place(), place() * 0.1, place() * 0.1)
+
+
+func _new_shaded_ground() -> Node3D:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	(ground.mesh as PlaneMesh).material = pick(GROUNDS)
+	ground.set_script(Ground3D)
+	ground.set(&"field", pick(_fields.filter(is_instance_valid)))
+	ground.set(&"shows_density", chance(0.5))
+	return ground
+
+
+## Measures the plants of [param field] for the material of a ground.
+func shade_ground(field: PlantField3D) -> void:
+	var material: ShaderMaterial = pick(GROUNDS).duplicate()
+	Ground3D.apply_density(material, field)
+	if chance(0.2):
+		Ground3D.apply_color(material, field)
 
 
 func any_resource() -> Resource:
@@ -130,7 +187,23 @@ func play_with_map() -> void:
 		map.data = value({"name": "data", "type": TYPE_PACKED_BYTE_ARRAY})
 	else:
 		var methods := ClassDB.class_get_method_list(&"PlantMap", true)
-		ask(map, pick(methods.filter(_is_no_setter)))
+		query(map, pick(methods.filter(_is_no_setter)))
+
+
+## Calls a method of a species.
+func query_function() -> void:
+	var methods := ClassDB.class_get_method_list(&"PlantFunction", true)
+	ask(pick(_functions), pick(methods.filter(_is_no_setter)))
+
+
+## Calls a method of the simulation, or changes its step.
+func query_simulation() -> void:
+	var simulation: Object = Engine.get_singleton(&"PlantSimulation")
+	if chance(0.1):
+		simulation.set(&"step_length", pick([0.001, 0.1, 1.0 / 60.0, NAN]))
+	else:
+		var methods := ClassDB.class_get_method_list(&"PlantSimulation", true)
+		ask(simulation, pick(methods.filter(_is_no_setter)))
 
 
 ## Stores saved [param bytes], which are damaged and loaded later.
@@ -230,9 +303,9 @@ func change(object: Object, info: Dictionary) -> void:
 			)
 		"material", "material_override", "material_overlay":
 			object.set(title, null if chance(0.4) else pick(_materials))
-		"outline", "ground_mesh":
+		"outline", "ground_mesh", "ground_object":
 			object.set(title, NodePath() if chance(0.3) else _path_from(object as Node))
-		"exclusions":
+		"exclusions", "streaming_targets":
 			object.set(title, _path_list(object as Node))
 		_:
 			# The engine itself does not accept positions that are not finite.
@@ -242,7 +315,7 @@ func change(object: Object, info: Dictionary) -> void:
 
 
 ## Calls a method of [param object], described by [param info], with random arguments.
-func ask(object: Object, info: Dictionary) -> void:
+func query(object: Object, info: Dictionary) -> void:
 	var arguments: Array = []
 	for argument: Dictionary in info["args"]:
 		arguments.append(_argument(object, argument))
@@ -282,6 +355,8 @@ func _argument(object: Object, info: Dictionary) -> Variant:
 			made = Image.create_empty(rng.randi_range(1, 9), 5, false, Image.FORMAT_RGBA8)
 		"rng":
 			made = RandomNumberGenerator.new()
+		"material":
+			made = null if chance(0.1) else pick(_materials)
 		"skeleton":
 			var field := object as PlantField3D
 			made = pick(field.get_skeletons()) if field != null and chance(0.8) else null

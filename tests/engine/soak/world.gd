@@ -8,6 +8,14 @@ const MAX_PLANTS := 12
 const MAX_OTHERS := 24
 ## Classes with random changes of their own properties.
 const SHOWN: Array[StringName] = [&"PlantField3D", &"Plant3D", &"GeometryInstance3D", &"Node3D"]
+## Signals of fields with one argument.
+const FIELD_SIGNALS_OF_ONE: Array[StringName] = [
+	&"build_failed",
+	&"body_entered_plants",
+	&"body_exited_plants",
+	&"skeleton_shown",
+	&"skeleton_hidden",
+]
 
 var root: Node
 var things: Things
@@ -29,15 +37,16 @@ func _init(new_root: Node, seed: int) -> void:
 	_add_second_world()
 	_add_field()
 	var often: Array[Callable] = [
-		_change_field, _change_field, _ask_field, _ask_field, _change_resource
+		_change_field, _change_field, _query_field, _query_field, _change_resource
 	]
-	_actions = [_change_plant, _ask_plant, _add_field, _add_plant, _add_other, _free_other]
+	_actions = [_change_plant, _query_plant, _add_field, _add_plant, _add_other, _free_other]
 	_actions += [
 		_free_field, _free_plant, _move, _move, _reparent, _pause, _change_wind, _edit_path
 	]
 	_actions += often + often
-	_actions += [_change_other, _change_other, _ask_other, _save_field, _apply_saved]
+	_actions += [_change_other, _change_other, _query_other, _save_field, _apply_saved]
 	_actions += [things.play_with_map, things.play_with_map, things.work_on_threads]
+	_actions += [things.query_function, things.query_simulation, _shade_ground]
 
 
 func act() -> void:
@@ -92,7 +101,10 @@ func _add_second_world() -> void:
 func _add_field() -> void:
 	if fields.size() < MAX_FIELDS:
 		var field := things.new_field()
-		field.build_finished.connect(_on_filled.bind(field))
+		field.build_finished.connect(_on_signal.bind(field))
+		for title in FIELD_SIGNALS_OF_ONE:
+			field.connect(title, _on_signal.bind(field).unbind(1))
+		field.build_progressed.connect(_on_progressed.bind(field))
 		_add(field, fields)
 
 
@@ -154,7 +166,7 @@ func _change_other() -> void:
 		source.position = point()
 
 
-func _ask_other() -> void:
+func _query_other() -> void:
 	var source: Node3D = pick(others)
 	if source is PlantWindSource3D:
 		source.explode()
@@ -177,22 +189,28 @@ func _apply_saved() -> void:
 		field.saved_changes = bytes
 
 
-func _ask_field() -> void:
-	_ask(pick(fields))
+func _query_field() -> void:
+	_query(pick(fields))
 
 
-func _ask_plant() -> void:
-	_ask(pick(plants))
+func _shade_ground() -> void:
+	var field: PlantField3D = pick(fields)
+	if field != null:
+		things.shade_ground(field)
 
 
-func _ask(node: Node3D) -> void:
+func _query_plant() -> void:
+	_query(pick(plants))
+
+
+func _query(node: Node3D) -> void:
 	if node == null:
 		return
-	var methods := ClassDB.class_get_method_list(node.get_class(), true).filter(_is_asked)
-	things.ask(node, pick(methods))
+	var methods := ClassDB.class_get_method_list(node.get_class(), true).filter(_is_query)
+	things.query(node, pick(methods))
 
 
-func _is_asked(method: Dictionary) -> bool:
+func _is_query(method: Dictionary) -> bool:
 	var title: String = method["name"]
 	var is_setter := title.begins_with("set_") and title != "set_motion_state"
 	return not is_setter and (not title.begins_with("_") or title == "_preview")
@@ -214,7 +232,9 @@ func _is_stored(property: Dictionary) -> bool:
 func _change_wind() -> void:
 	var wind: PlantWind = pick(things.winds)
 	if chance(0.5):
-		things.ask(wind, pick(ClassDB.class_get_method_list(&"PlantWind", true).filter(_is_asked)))
+		things.query(
+			wind, pick(ClassDB.class_get_method_list(&"PlantWind", true).filter(_is_query))
+		)
 	else:
 		things.change(wind, pick(ClassDB.class_get_property_list(&"PlantWind", true)))
 
@@ -250,10 +270,16 @@ func _edit_path() -> void:
 	things.edit_path(pick(others.filter(func(node: Node3D) -> bool: return node is Path3D)))
 
 
+## A build emits it in most of its frames.
+func _on_progressed(_ratio: float, field: PlantField3D) -> void:
+	if chance(0.05):
+		_on_signal(field)
+
+
 ## Runs actions in signal handlers, as scripts do.
-func _on_filled(field: PlantField3D) -> void:
+func _on_signal(field: PlantField3D) -> void:
 	if chance(0.2):
-		_ask(field)
+		_query(field)
 	elif chance(0.1):
 		_change(field)
 	elif chance(0.05):

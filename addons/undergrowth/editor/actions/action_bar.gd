@@ -56,20 +56,20 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_state.function_chosen.connect(_refresh)
 	_state.work_changed.connect(_refresh)
 	_refresh()
-	_dress()
+	_apply_theme()
 
 
 ## Opens the dialog for a new species in a script.
-func ask_for_new() -> void:
-	_new_dialog.ask()
+func open_new_dialog() -> void:
+	_new_dialog.open()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and _state:
-		_dress()
+		_apply_theme()
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	_add.icon = get_theme_icon(&"Add", &"EditorIcons")
 	_add_field.icon = get_theme_icon(&"MultiMeshInstance3D", &"EditorIcons")
 
@@ -137,15 +137,15 @@ func _on_assign_pressed() -> void:
 	var function := _to_scene_function(root)
 	var wind := SceneActions.to_scene_wind(_state.wind, root)
 	SceneActions.assign(_undo, root, plants, function, wind)
-	_state.report(_tell_assigned(plants))
+	_state.report(_describe_assigned(plants))
 
 
-func _tell_assigned(plants: Array[Node3D]) -> String:
+func _describe_assigned(plants: Array[Node3D]) -> String:
 	var is_field := func(plant: Node3D) -> bool: return plant is PlantField3D
 	if plants.any(is_field):
 		return tr("%s grows in what is selected now.") % _state.title
-	var told := tr_n("%d plant is %s now.", "%d plants are %s now.", plants.size())
-	return told % [plants.size(), _state.title]
+	var message := tr_n("%d plant is %s now.", "%d plants are %s now.", plants.size())
+	return message % [plants.size(), _state.title]
 
 
 func _on_save_pressed() -> void:
@@ -199,7 +199,7 @@ func _on_new_accepted(title: String, folder: String) -> void:
 
 func _on_bake_pressed() -> void:
 	if _can_build():
-		_bake_dialog.ask(_state.title, _state.height, _state.seed_value)
+		_bake_dialog.open(_state.title, _state.height, _state.seed_value)
 
 
 func _on_bake_accepted(options: BakeOptions) -> void:
@@ -208,13 +208,13 @@ func _on_bake_accepted(options: BakeOptions) -> void:
 	if existing.is_empty():
 		_bake_files()
 		return
-	_replace_dialog.dialog_text = _ask_to_replace(existing)
+	_replace_dialog.dialog_text = _describe_replaced(existing)
 	_replace_dialog.popup_centered(
 		Vector2i(Vector2(REPLACE_SIZE) * EditorInterface.get_editor_scale())
 	)
 
 
-func _ask_to_replace(files: PackedStringArray) -> String:
+func _describe_replaced(files: PackedStringArray) -> String:
 	var names := "\n".join(files.slice(0, NAMED_FILES))
 	if files.size() > NAMED_FILES:
 		names += "\n…"
@@ -247,7 +247,7 @@ func _bake_files() -> void:
 			return
 		problem = _bake_for_a_frame(work)
 	_state.end_work()
-	_tell_end(work, total, problem)
+	_report_end(work, total, problem)
 	ProjectFiles.announce_all()
 
 
@@ -260,7 +260,7 @@ func _bake_for_a_frame(work: Bake) -> String:
 	return problem
 
 
-func _tell_end(work: Bake, total: int, problem: String) -> void:
+func _report_end(work: Bake, total: int, problem: String) -> void:
 	var count := work.written.size()
 	if not problem.is_empty():
 		_fail(problem)

@@ -36,7 +36,7 @@ func _ready() -> void:
 
 
 ## Opens the dialog for a plant called [param title]. The other options stay as last chosen.
-func ask(title: String, height: float, first_seed: int) -> void:
+func open(title: String, height: float, first_seed: int) -> void:
 	_title.text = title
 	_height.value = height
 	_seed.value = first_seed

@@ -21,15 +21,15 @@ var _chooser: EditorFileDialog
 func _ready() -> void:
 	_path.text_changed.connect(func(_text: String) -> void: changed.emit())
 	_browse.pressed.connect(_on_browse_pressed)
-	_dress()
+	_apply_theme()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_dress()
+		_apply_theme()
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	_browse.icon = get_theme_icon(&"Folder", &"EditorIcons")
 
 

@@ -25,20 +25,20 @@ func show_problem(what: String) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_dress()
+		_apply_theme()
 
 
 func _show(what: String, is_problem: bool) -> void:
 	text = what
 	_is_problem = is_problem
-	_dress()
+	_apply_theme()
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	# Sets the value only if it differs, because every change sends a theme notification.
 	var color := get_theme_color(&"error_color", &"Editor")
-	var is_dressed := has_theme_color_override(&"font_color")
-	if _is_problem and not (is_dressed and get_theme_color(&"font_color") == color):
+	var has_override := has_theme_color_override(&"font_color")
+	if _is_problem and not (has_override and get_theme_color(&"font_color") == color):
 		add_theme_color_override(&"font_color", color)
-	elif is_dressed and not _is_problem:
+	elif has_override and not _is_problem:
 		remove_theme_color_override(&"font_color")

@@ -26,7 +26,7 @@ func _ready() -> void:
 
 
 ## Opens the dialog with an empty name.
-func ask() -> void:
+func open() -> void:
 	_title.clear()
 	_check()
 	popup_centered(Vector2i(Vector2(SIZE) * EditorInterface.get_editor_scale()))

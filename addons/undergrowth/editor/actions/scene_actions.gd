@@ -4,7 +4,7 @@ extends RefCounted
 
 const Translations := preload("../translations/translations.gd")
 const FieldDefaults := preload("field_defaults.gd")
-const FieldNewcomer := preload("field_newcomer.gd")
+const FieldEntries := preload("field_entries.gd")
 const FileNames := preload("file_names.gd")
 const SameResource := preload("same_resource.gd")
 const ScenePlants := preload("../wind_page/scene_plants.gd")
@@ -124,7 +124,7 @@ static func to_scene_function(
 static func to_scene_wind(fallback: PlantWind, root: Node) -> PlantWind:
 	for plant in ScenePlants.all(root):
 		var wind: PlantWind = plant.get(&"wind")
-		if wind and ScenePlants.is_wind_kept(root, wind):
+		if wind and ScenePlants.is_wind_saved(root, wind):
 			return wind
 	return fallback.duplicate() as PlantWind
 
@@ -150,14 +150,14 @@ static func _add_node(undo: EditorUndoRedoManager, root: Node, parent: Node, nod
 static func _add_species(
 	undo: EditorUndoRedoManager, field: PlantField3D, function: PlantFunction
 ) -> void:
-	if FieldNewcomer.find(field, function):
+	if FieldEntries.find(field, function):
 		return
-	var newcomer := FieldNewcomer.make(field, function)
-	var density := FieldNewcomer.suit(field, newcomer)
+	var new_entry := FieldEntries.make(field, function)
+	var density := FieldEntries.suit(field, new_entry)
 	undo.add_do_property(field, &"density", density)
 	undo.add_undo_property(field, &"density", field.density)
 	undo.add_do_property(
-		field, &"species", field.species + ([newcomer] as Array[PlantFieldSpecies])
+		field, &"species", field.species + ([new_entry] as Array[PlantFieldSpecies])
 	)
 	undo.add_undo_property(field, &"species", field.species)
 

@@ -27,13 +27,13 @@ func setup(options: BrushOptions) -> void:
 		_tools[tool].pressed.connect(_on_tool_pressed.bind(tool))
 	_fill.pressed.connect(fill_wanted.emit)
 	options.changed.connect(_show)
-	_dress()
+	_apply_theme()
 	_show()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and _options:
-		_dress()
+		_apply_theme()
 
 
 func _on_tool_pressed(tool: int) -> void:
@@ -46,7 +46,7 @@ func _show() -> void:
 		_tools[tool].set_pressed_no_signal(_options.tool == tool)
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	for tool in range(1, _tools.size()):
 		_tools[tool].icon = get_theme_icon(ICONS[tool], &"EditorIcons")
 	_fill.icon = get_theme_icon(FILL_ICON, &"EditorIcons")

@@ -4,7 +4,7 @@ extends RefCounted
 ## stroke adds the picked species to a field without it.
 
 const EditorState := preload("../editor_state.gd")
-const FieldNewcomer := preload("../actions/field_newcomer.gd")
+const FieldEntries := preload("../actions/field_entries.gd")
 const SceneActions := preload("../actions/scene_actions.gd")
 const Translations := preload("../translations/translations.gd")
 const BrushOptions := preload("brush_options.gd")
@@ -17,7 +17,7 @@ var _field: PlantField3D
 # The dock's species is painted, whether or not the field already has it.
 var _has_picked := false
 # Map layer for the picked species. Empty if the field already has the species.
-var _newcomer := ""
+var _new_layer := ""
 
 
 ## Changes [param options] and shows in [param settings] the species picked in the dock of
@@ -42,22 +42,22 @@ func edit(field: PlantField3D) -> void:
 
 ## Call after a possible change of the field's species.
 func refresh() -> void:
-	var names := FieldNewcomer.layers_of(_field) if _field else PackedStringArray()
-	_newcomer = ""
-	if _has_picked and _state.function and not FieldNewcomer.find(_field, _get_picked()):
-		_newcomer = _make_entry().get_layer_name()
-		names.append(_newcomer)
-	_settings.show_field(_field, _state.function if _newcomer else null, _newcomer)
+	var names := FieldEntries.layers_of(_field) if _field else PackedStringArray()
+	_new_layer = ""
+	if _has_picked and _state.function and not FieldEntries.find(_field, _get_picked()):
+		_new_layer = _make_entry().get_layer_name()
+		names.append(_new_layer)
+	_settings.show_field(_field, _state.function if _new_layer else null, _new_layer)
 	_keep_only(names)
 
 
 ## Returns the entry that a stroke adds to the field, usually null.
-func bring_newcomer() -> PlantFieldSpecies:
-	if not _newcomer or not _newcomer in _options.species:
+func take_new_entry() -> PlantFieldSpecies:
+	if not _new_layer or not _new_layer in _options.species:
 		return null
 	var entry := _make_entry()
 	var chosen := _options.species.duplicate()
-	chosen[chosen.find(_newcomer)] = entry.get_layer_name()
+	chosen[chosen.find(_new_layer)] = entry.get_layer_name()
 	_options.species = chosen
 	return entry
 
@@ -67,12 +67,12 @@ func _on_picked() -> void:
 		return
 	_has_picked = true
 	refresh()
-	if _newcomer:
-		_options.species = [_newcomer]
-		var told := Translations.text("The brush above the 3D view paints %s into %s.")
-		_state.report(told % [_state.title, _field.name])
+	if _new_layer:
+		_options.species = [_new_layer]
+		var message := Translations.text("The brush above the 3D view paints %s into %s.")
+		_state.report(message % [_state.title, _field.name])
 	else:
-		_options.species = [FieldNewcomer.find(_field, _get_picked()).get_layer_name()]
+		_options.species = [FieldEntries.find(_field, _get_picked()).get_layer_name()]
 		_state.report(Translations.text("The brush above the 3D view paints %s.") % _state.title)
 
 
@@ -91,4 +91,4 @@ func _get_picked() -> PlantFunction:
 
 
 func _make_entry() -> PlantFieldSpecies:
-	return FieldNewcomer.make(_field, _get_picked())
+	return FieldEntries.make(_field, _get_picked())

@@ -31,8 +31,8 @@ static func find_object(field: PlantField3D) -> Object:
 	var found: Variant = field.get_node_or_null(path)
 	if found and path.get_subname_count() > 0:
 		found = (found as Node).get_indexed(NodePath(":" + path.get_concatenated_subnames()))
-	var told := found as Object
-	return told if told and told.has_method(&"get_height") else null
+	var ground := found as Object
+	return ground if ground and ground.has_method(&"get_height") else null
 
 
 static func _find_on(terrain: Object, from: Vector3, direction: Vector3) -> Variant:

@@ -20,7 +20,7 @@ var _field: PlantField3D
 # Layers of the species buttons, in their order.
 var _names: PackedStringArray = []
 # Layer of the species that the field does not contain yet.
-var _newcomer := ""
+var _new_layer := ""
 
 @onready var _numbers: HBoxContainer = %Numbers
 @onready var _radius: EditorSpinSlider = %Radius
@@ -29,7 +29,7 @@ var _newcomer := ""
 @onready var _density: EditorSpinSlider = %Density
 @onready var _as_mixed: Button = %AsMixed
 @onready var _plant_height: EditorSpinSlider = %PlantHeight
-@onready var _told: Label = %Told
+@onready var _message: Label = %Message
 @onready var _species: HBoxContainer = %Species
 @onready var _menu: SpeciesMenu = %SpeciesMenu
 
@@ -54,9 +54,9 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Shows the species of [param field] (null: none), and [param newcomer], which the field does not
-## contain yet. Its layer in the map will be [param title].
-func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := "") -> void:
+## Shows the species of [param field] (null: none), and [param new_species], which the field does
+## not contain yet. Its layer in the map will be [param title].
+func show_field(field: PlantField3D, new_species: PlantFunction = null, title := "") -> void:
 	_field = field
 	var functions: Array[PlantFunction] = []
 	var names: PackedStringArray = []
@@ -64,14 +64,14 @@ func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := ""
 		if entry and entry.get_layer_name() and not entry.get_layer_name() in names:
 			functions.append(entry.species)
 			names.append(entry.get_layer_name())
-	if newcomer:
-		functions.append(newcomer)
+	if new_species:
+		functions.append(new_species)
 		names.append(title)
-	if names == _names and title == _newcomer:
+	if names == _names and title == _new_layer:
 		_show()
 		return
 	_names = names
-	_newcomer = title
+	_new_layer = title
 	for button in _species.get_children():
 		button.queue_free()
 		_species.remove_child(button)
@@ -82,9 +82,9 @@ func show_field(field: PlantField3D, newcomer: PlantFunction = null, title := ""
 
 
 ## Shows [param text] beside the settings until one of them changes.
-func tell(text: String) -> void:
-	_told.text = text
-	_told.visible = not text.is_empty()
+func show_message(text: String) -> void:
+	_message.text = text
+	_message.visible = not text.is_empty()
 
 
 func _notification(what: int) -> void:
@@ -96,7 +96,7 @@ func _add_species(function: PlantFunction, title: String) -> void:
 	var button := Button.new()
 	button.toggle_mode = true
 	button.theme_type_variation = &"FlatButton"
-	button.text = "+ " + title if title == _newcomer else title
+	button.text = "+ " + title if title == _new_layer else title
 	button.tooltip_text = _explain(title)
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.icon = get_theme_icon(&"Object", &"EditorIcons")
@@ -111,7 +111,7 @@ func _add_species(function: PlantFunction, title: String) -> void:
 
 
 func _explain(title: String) -> String:
-	if title == _newcomer:
+	if title == _new_layer:
 		return tr("Picked in the dock. Painting adds it to the field.")
 	return tr("Paint %s. Where none is chosen, all are.") % title
 
@@ -164,7 +164,7 @@ func _show_density() -> void:
 
 
 func _show() -> void:
-	tell("")
+	show_message("")
 	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
 	_species.visible = _names.size() <= MAX_BUTTONS
 	_menu.visible = _names.size() > MAX_BUTTONS

@@ -3,7 +3,7 @@ extends RefCounted
 ## One stroke of the brush on the map of a field, from press to release: one step of undo. A field
 ## without a map gets one with the density of its area. The stroke also adds a new species.
 
-const FieldNewcomer := preload("../actions/field_newcomer.gd")
+const FieldEntries := preload("../actions/field_entries.gd")
 const Translations := preload("../translations/translations.gd")
 const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
@@ -33,7 +33,7 @@ func _init(
 	options: BrushOptions,
 	tool: BrushOptions.Tool,
 	smooths: bool,
-	newcomer: PlantFieldSpecies = null
+	new_entry: PlantFieldSpecies = null
 ) -> void:
 	_field = field
 	_options = options
@@ -47,8 +47,8 @@ func _init(
 	_map = _make_map() if _is_new else field.map
 	_before = _map.snapshot()
 	_map.area_changed.connect(_on_area_changed)
-	if newcomer:
-		FieldNewcomer.add(field, newcomer)
+	if new_entry:
+		FieldEntries.add(field, new_entry)
 	if _is_new:
 		field.map = _map
 	_names = _choose_names()
@@ -131,14 +131,14 @@ func _radius() -> float:
 
 func _make_map() -> PlantMap:
 	var map := PlantMap.new()
-	for title in FieldNewcomer.layers_of(_field):
+	for title in FieldEntries.layers_of(_field):
 		map.fill_polygon(_field.get_outline_points(), title)
 	return map
 
 
 # Returns the chosen layers of the field, or all if none is chosen.
 func _choose_names() -> PackedStringArray:
-	var names := FieldNewcomer.layers_of(_field)
+	var names := FieldEntries.layers_of(_field)
 	if _options.species.is_empty():
 		return names
 	var chosen: PackedStringArray = []
@@ -163,27 +163,27 @@ func _explain_nothing(names: String) -> String:
 		BrushOptions.Tool.HEIGHT:
 			return Translations.text("%s: the height is reached here already.") % names
 	var density := _options.density
-	var told := Translations.text("%s: %s plants/m² grow here already.")
+	var message := Translations.text("%s: %s plants/m² grow here already.")
 	if _options.is_as_mixed:
 		density = BrushDensity.sum_of_mix(_field, _names)
-		told = Translations.text(
+		message = Translations.text(
 			"%s: already as dense here as the mix says, %s plants/m². Set a higher density."
 		)
-	return told % [names, String.num(density, 2)]
+	return message % [names, String.num(density, 2)]
 
 
 # Scales all species down if the painted density exceeds the field's maximum.
 func _explain_room() -> String:
-	var room := BrushDensity.sum_of_mix(_field, FieldNewcomer.layers_of(_field))
+	var room := BrushDensity.sum_of_mix(_field, FieldEntries.layers_of(_field))
 	var painted := 0.0
-	for title in FieldNewcomer.layers_of(_field):
+	for title in FieldEntries.layers_of(_field):
 		painted += _map.get_plant_density(_last, title)
 	if painted <= room * 1.01:
 		return ""
-	var told := Translations.text(
+	var message := Translations.text(
 		"%s plants/m² are painted here, but the field grows %s at most. Raise the field's density."
 	)
-	return told % [String.num(painted, 2), String.num(room, 2)]
+	return message % [String.num(painted, 2), String.num(room, 2)]
 
 
 func _title() -> String:

@@ -25,7 +25,7 @@ var _circle: BrushCircle
 var _pointer := BrushPointer.new()
 var _is_circle_due := false
 # The values of the last update of the circle.
-var _circle_look: Array = []
+var _drawn_circle: Array = []
 var _field: PlantField3D
 var _stroke: BrushStroke
 var _pen := PenPressure.new()
@@ -144,9 +144,9 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 
 func _begin_stroke(place: Vector3, tool: BrushOptions.Tool, smooths: bool) -> void:
 	var paints := tool == BrushOptions.Tool.PAINT and not smooths
-	var newcomer := _choice.bring_newcomer() if paints else null
-	_settings.tell("")
-	_stroke = BrushStroke.new(_field, options, tool, smooths, newcomer)
+	var new_entry := _choice.take_new_entry() if paints else null
+	_settings.show_message("")
+	_stroke = BrushStroke.new(_field, options, tool, smooths, new_entry)
 	_waits_for = place
 	if not _pen.begin():
 		_touch_first(1.0)
@@ -192,10 +192,10 @@ func end_stroke() -> void:
 	var stroke := _stroke
 	_touch_first(1.0)
 	_stroke = null
-	var told := stroke.explain()
+	var message := stroke.explain()
 	stroke.finish(_plugin.get_undo_redo())
 	_choice.refresh()
-	_settings.tell(told)
+	_settings.show_message(message)
 
 
 func _on_fill_wanted() -> void:
@@ -221,11 +221,11 @@ func _show_circle() -> void:
 	if not _circle or not _field or options.tool == BrushOptions.Tool.NONE:
 		return
 	var tool := options.tool_with(_pointer.is_ctrl_pressed)
-	var look := [_pointer.get_sight(), _field.global_transform]
-	look.append_array([options.radius, options.falloff, tool])
-	if look == _circle_look:
+	var state := [_pointer.get_sight(), _field.global_transform]
+	state.append_array([options.radius, options.falloff, tool])
+	if state == _drawn_circle:
 		return
-	_circle_look = look
+	_drawn_circle = state
 	var place: Variant = _pointer.find_place(_field)
 	if place is Vector3:
 		_circle.show_at(_field, place, options.radius, options.falloff, tool)
@@ -235,7 +235,7 @@ func _show_circle() -> void:
 
 
 func _hide_circle() -> void:
-	_circle_look = []
+	_drawn_circle = []
 	_circle.hide()
 
 

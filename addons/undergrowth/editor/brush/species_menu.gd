@@ -17,14 +17,14 @@ func _ready() -> void:
 	get_popup().index_pressed.connect(_on_index_pressed)
 
 
-## Shows [param names]. The field does not contain [param newcomer] yet.
-func fill(names: PackedStringArray, newcomer: String) -> void:
+## Shows [param names]. The field does not contain [param new_layer] yet.
+func fill(names: PackedStringArray, new_layer: String) -> void:
 	_names = names
 	var popup := get_popup()
 	popup.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	popup.clear()
 	for title in names:
-		popup.add_check_item("+ " + title if title == newcomer else title)
+		popup.add_check_item("+ " + title if title == new_layer else title)
 
 
 ## Sets the picture of the species called [param title].

@@ -19,15 +19,15 @@ var _waits := false
 ## Compares the edited scene after each step of undo.
 func setup(plugin: EditorPlugin) -> void:
 	_plugin = plugin
-	plugin.get_undo_redo().history_changed.connect(_look_soon)  # A step was added.
-	plugin.get_undo_redo().version_changed.connect(_look_soon)  # A step was undone or redone.
+	plugin.get_undo_redo().history_changed.connect(_check_soon)  # A step was added.
+	plugin.get_undo_redo().version_changed.connect(_check_soon)  # A step was undone or redone.
 	plugin.scene_changed.connect(_on_scene_changed)
-	_look_soon()
+	_check_soon()
 
 
 func close() -> void:
-	_plugin.get_undo_redo().history_changed.disconnect(_look_soon)
-	_plugin.get_undo_redo().version_changed.disconnect(_look_soon)
+	_plugin.get_undo_redo().history_changed.disconnect(_check_soon)
+	_plugin.get_undo_redo().version_changed.disconnect(_check_soon)
 	_plugin.scene_changed.disconnect(_on_scene_changed)
 	if _waits:
 		_tree().process_frame.disconnect(_on_frame)
@@ -37,10 +37,10 @@ func close() -> void:
 
 func _on_scene_changed(_root: Node) -> void:
 	_forget()
-	_look_soon()
+	_check_soon()
 
 
-func _look_soon() -> void:
+func _check_soon() -> void:
 	if not _waits:
 		_waits = true
 		_tree().process_frame.connect(_on_frame)
@@ -52,10 +52,10 @@ func _on_frame() -> void:
 		return
 	_waits = false
 	_tree().process_frame.disconnect(_on_frame)
-	_look()
+	_check()
 
 
-func _look() -> void:
+func _check() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var fields := _find_fields(root)
 	if fields.is_empty():

@@ -1,5 +1,5 @@
 @tool
-extends "kept_gizmos.gd"
+extends "node_gizmos.gd"
 ## The gizmo of PlantField3D. A click into its area selects it. Its border is always visible. While
 ## selected, it also shows the box of its plants, its exclusions, roads in their width, and a handle
 ## on each side of a rectangle.
@@ -179,9 +179,9 @@ func _worked_on() -> Array[Node3D]:
 
 # A field updates its gizmo after a change of its own size. These values change without an update:
 # the position of its outline, and the box of its plants.
-func _look_of(node: Node3D) -> Array:
+func _get_shown_values(node: Node3D) -> Array:
 	var field := node as PlantField3D
-	var look := [field.get_outline_points(), field.get_aabb(), field.map != null]
+	var values := [field.get_outline_points(), field.get_aabb(), field.map != null]
 	for i in field.exclusions.size():
-		look.append(field.get_exclusion_points(i))
-	return look
+		values.append(field.get_exclusion_points(i))
+	return values

@@ -1,5 +1,5 @@
 @tool
-extends "kept_gizmos.gd"
+extends "node_gizmos.gd"
 ## The gizmo of Plant3D. A click on the plant's mesh selects it. A selected plant shows a handle for
 ## its height, its tip and bend, the joints of a stem with several, the direction of its wind, and
 ## the box that contains it in every bend.
@@ -148,7 +148,7 @@ static func _wind_direction(wind: PlantWind) -> Vector3:
 	return Vector3.BACK.rotated(Vector3.UP, wind.direction)
 
 
-func _look_of(node: Node3D) -> Array:
+func _get_shown_values(node: Node3D) -> Array:
 	var plant := node as Plant3D
 	var wind := _wind_on(plant)
 	return [plant.get_tip_position(), wind.direction if wind else INF, plant.global_basis]

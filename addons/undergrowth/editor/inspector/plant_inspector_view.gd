@@ -19,7 +19,7 @@ var function: PlantFunction
 # A light breeze that belongs to this view.
 var _breeze := PlantWind.new()
 
-@onready var _stand: Node3D = %Stand
+@onready var _turntable: Node3D = %Turntable
 @onready var _camera: Camera3D = %Camera
 @onready var _plant: Plant3D = %Plant
 @onready var _problem: Label = %Problem
@@ -40,7 +40,7 @@ func _process(delta: float) -> void:
 	if not _plant.visible or not is_visible_in_tree():
 		return
 	var frame := minf(delta, LONGEST_FRAME)
-	_stand.rotate_y(TURN_RATE * frame)
+	_turntable.rotate_y(TURN_RATE * frame)
 	WindClock.advance(_breeze, frame)
 	_plant._preview(frame, _breeze)
 

@@ -39,7 +39,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	resized.connect(_turn_split)
 	_list.chosen.connect(_on_list_chosen)
 	_list.refreshed.connect(_on_list_refreshed)
-	_list.new_wanted.connect(_actions.ask_for_new)
+	_list.new_wanted.connect(_actions.open_new_dialog)
 	_list.laid_out.connect(_turn_split)
 	_list.setup(state)
 	_preview.setup(state)

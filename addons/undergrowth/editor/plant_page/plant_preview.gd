@@ -72,7 +72,7 @@ func setup(state: EditorState) -> void:
 	_view.gui_input.connect(_on_view_input)
 	for part: Control in [_view, _tools, _counts_panel]:
 		part.resized.connect(_make_room)
-	_dress()
+	_apply_theme()
 	_on_function_chosen()
 	set_process(true)
 
@@ -91,10 +91,10 @@ func _process(delta: float) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and _state:
-		_dress()
+		_apply_theme()
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	_play.icon = get_theme_icon(&"Play", &"EditorIcons")
 	_rings.icon = get_theme_icon(&"Grid", &"EditorIcons")
 	_bones.icon = get_theme_icon(&"Bone", &"EditorIcons")

@@ -6,7 +6,7 @@ extends RefCounted
 signal selected(species: PlantFunction)
 
 var _page: Control
-var _is_late := false
+var _is_pending := false
 
 
 ## Reports the selection while [param page] is visible, and when it becomes visible.
@@ -28,12 +28,12 @@ static func find() -> PlantFunction:
 
 
 func _on_selection_changed() -> void:
-	_is_late = not _page.is_visible_in_tree()
-	var found := null if _is_late else find()
+	_is_pending = not _page.is_visible_in_tree()
+	var found := null if _is_pending else find()
 	if found:
 		selected.emit(found)
 
 
 func _on_visibility_changed() -> void:
-	if _is_late and _page.is_visible_in_tree():
+	if _is_pending and _page.is_visible_in_tree():
 		_on_selection_changed()

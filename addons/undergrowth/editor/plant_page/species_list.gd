@@ -65,7 +65,7 @@ func setup(state: EditorState) -> void:
 		list.resized.connect(_fit_columns.bind(list))
 	_catalog.changed.connect(_on_catalog_changed)
 	_catalog.start()
-	_dress()
+	_apply_theme()
 
 
 ## Returns the entry with that key (a path or a class), or null.
@@ -120,12 +120,12 @@ func _unfold(list: ItemList) -> void:
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_dress()
+		_apply_theme()
 	elif what == NOTIFICATION_TRANSLATION_CHANGED and _state:
 		_fill()
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	if is_part_of_edited_scene():
 		return
 	_row_height = 0.0

@@ -26,12 +26,12 @@ func setup(state: EditorState) -> void:
 	for slider: Control in [_height, _seed, _segments]:
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	_translate()
-	_dress()
+	_apply_theme()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_dress()
+		_apply_theme()
 	elif what == NOTIFICATION_TRANSLATION_CHANGED and is_node_ready():
 		_translate()
 
@@ -43,5 +43,5 @@ func _translate() -> void:
 	_segments.label = tr("Segments")
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	_dice.icon = get_theme_icon(&"RandomNumberGenerator", &"EditorIcons")

@@ -26,7 +26,7 @@ func setup(undo: EditorUndoRedoManager) -> void:
 
 ## Shows the points of [param function]. Null shows none.
 func edit(function: CurvePlantFunction) -> void:
-	_let_go()
+	_release()
 	_function = function
 	visible = function != null
 	queue_redraw()
@@ -34,7 +34,7 @@ func edit(function: CurvePlantFunction) -> void:
 
 # A disabled plugin ends the drag.
 func _exit_tree() -> void:
-	_let_go()
+	_release()
 
 
 func _gui_input(event: InputEvent) -> void:
@@ -73,12 +73,12 @@ func _on_left_button(button: InputEventMouseButton) -> void:
 		_dragged = _curve()
 		_before = _dragged.get(POINTS) if _dragged else []
 	else:
-		_let_go()
+		_release()
 	queue_redraw()
 
 
 # A drag with any ending adds its changes as a step of undo.
-func _let_go() -> void:
+func _release() -> void:
 	if _grabbed >= 0 and _curve() == _dragged:
 		_remember(tr("Move Width Point"), _before)
 	_grabbed = -1

@@ -45,15 +45,15 @@ func show_message(text: String, severity: EditorState.Severity) -> void:
 	_text.text = text
 	_text.tooltip_text = text
 	_icon.visible = not text.is_empty()
-	_dress()
+	_apply_theme()
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_dress()
+		_apply_theme()
 
 
-func _dress() -> void:
+func _apply_theme() -> void:
 	_icon.texture = get_theme_icon(ICONS[_severity], &"EditorIcons")
 	var source := &"Label" if _severity == EditorState.Severity.INFO else &"Editor"
 	var font_size := roundi(get_theme_font_size(&"font_size", &"Label") * SMALL_FONT)

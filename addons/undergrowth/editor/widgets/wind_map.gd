@@ -82,8 +82,8 @@ func _draw() -> void:
 	draw_texture_rect(_texture, place, false, accent.lightened(0.3))
 	draw_rect(place, Color(text, 0.15), false)
 	var at := Vector2(0.0, top - font.get_descent(font_size) - 2.0)
-	var told := tr("Field, %d m") % roundi(SPAN)
-	draw_string(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, size.x, font_size, text)
+	var label := tr("Field, %d m") % roundi(SPAN)
+	draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, size.x, font_size, text)
 
 
 static func _grid() -> PackedVector2Array:

@@ -103,8 +103,8 @@ func _draw() -> void:
 		var x := _place(frame, hertz, MIN_POWER).x
 		draw_line(Vector2(x, frame.position.y), Vector2(x, frame.end.y), Color(text, 0.15))
 		var at := Vector2(x + 2.0, frame.end.y + font.get_ascent(font_size) + 2.0)
-		var told := "%s Hz" % String.num(hertz)
-		draw_string(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, text)
+		var label := "%s Hz" % String.num(hertz)
+		draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size, text)
 	draw_rect(frame, Color(text, 0.15), false)
 	if not _is_air() or wind.speed <= 0.0:
 		return
@@ -118,8 +118,8 @@ func _draw() -> void:
 		var place := _place(frame, point.x, point.y)
 		draw_circle(place, 2.5 * EditorInterface.get_editor_scale(), accent, true, -1.0, true)
 	var at := Vector2(frame.position.x, frame.position.y - font.get_descent(font_size) - 2.0)
-	var told := tr("Gusts, beside Kaimal's line")
-	draw_string(font, at, told, HORIZONTAL_ALIGNMENT_LEFT, frame.size.x, font_size, text)
+	var label := tr("Gusts, beside Kaimal's line")
+	draw_string(font, at, label, HORIZONTAL_ALIGNMENT_LEFT, frame.size.x, font_size, text)
 
 
 func _place(frame: Rect2, hertz: float, value: float) -> Vector2:

@@ -37,7 +37,7 @@ static func is_saved_with(root: Node, plant: Node3D) -> bool:
 
 ## True if changes of [param wind] are saved: with the edited scene [param root], or in a file of
 ## its own. A wind inside an instanced scene is not.
-static func is_wind_kept(root: Node, wind: PlantWind) -> bool:
+static func is_wind_saved(root: Node, wind: PlantWind) -> bool:
 	if not wind.is_built_in() or wind.resource_path.is_empty():
 		return true
 	return wind.resource_path.get_slice("::", 0) == root.scene_file_path

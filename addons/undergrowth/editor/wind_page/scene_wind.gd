@@ -13,7 +13,7 @@ static var blowing: PlantWind
 var _state: EditorState
 var _root: Node
 var _plants: Array[Node3D] = []
-var _is_stale := false
+var _is_outdated := false
 
 
 func _ready() -> void:
@@ -50,7 +50,7 @@ func set_active(on: bool) -> void:
 
 
 func _process(delta: float) -> void:
-	if _is_stale or EditorInterface.get_edited_scene_root() != _root:
+	if _is_outdated or EditorInterface.get_edited_scene_root() != _root:
 		_collect()
 	blowing = _state.wind
 	if not blowing:
@@ -71,7 +71,7 @@ func _collect() -> void:
 			(plant as Node3D).call(&"reset_motion")
 	_root = root
 	_plants = found
-	_is_stale = false
+	_is_outdated = false
 
 
 func _release() -> void:
@@ -93,4 +93,4 @@ func _report() -> void:
 
 func _on_node_changed(node: Node) -> void:
 	if ScenePlants.is_plant(node):
-		_is_stale = true
+		_is_outdated = true

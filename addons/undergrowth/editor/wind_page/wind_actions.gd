@@ -59,10 +59,10 @@ func apply() -> void:
 	if calm:
 		_add_new_wind(calm)
 	_undo.commit_action()
-	var told := tr_n(
+	var message := tr_n(
 		"%d plant feels this wind now.", "%d plants feel this wind now.", plants.size()
 	)
-	_state.report(told % plants.size())
+	_state.report(message % plants.size())
 
 
 ## Reads the wind of the first chosen plant that has one into the page.
@@ -77,7 +77,7 @@ func take() -> void:
 
 
 ## Opens a dialog for the resource's path.
-func ask_where_to_save() -> void:
+func choose_file() -> void:
 	if not _dialog:
 		_dialog = EditorFileDialog.new()
 		_dialog.title = tr("Save Wind")
@@ -127,7 +127,7 @@ func _may_apply(root: Node, plants: Array[Node3D]) -> bool:
 # True for a wind whose changes are saved.
 func _has_own_wind(root: Node, plant: Node3D) -> bool:
 	var wind: PlantWind = plant.get(&"wind")
-	return wind and ScenePlants.is_wind_kept(root, wind)
+	return wind and ScenePlants.is_wind_saved(root, wind)
 
 
 func _differs(wind: PlantWind) -> bool:

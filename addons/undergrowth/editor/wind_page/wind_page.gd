@@ -35,7 +35,7 @@ var _state: EditorState
 # Property of the wind for each slider.
 var _sliders: Dictionary[StringName, EditorSpinSlider] = {}
 # True while the status line shows a limit.
-var _says_limit := false
+var _shows_limit := false
 
 @onready var _kind: OptionButton = %Kind
 @onready var _frequency_label: Label = %FrequencyLabel
@@ -65,10 +65,10 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 		&"turbulence": %Turbulence,
 		&"gustiness": %Gustiness,
 		&"roughness": %Roughness,
-		&"canopy_height": %StandHeight,
-		&"canopy_wave_amount": %WaveShare,
+		&"canopy_height": %CanopyHeight,
+		&"canopy_wave_amount": %CanopyWaveAmount,
 	}
-	(%Presets as WindPresets).setup(_blow_as)
+	(%Presets as WindPresets).setup(_apply_preset)
 	for part: Control in [%Fields, %Outcome]:
 		part.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	for kind in KINDS:
@@ -87,7 +87,7 @@ func _connect_controls() -> void:
 	_on_scene.toggled.connect(_scene_wind.set_active)
 	(%Apply as Button).pressed.connect(_actions.apply)
 	(%Take as Button).pressed.connect(_actions.take)
-	(%Save as Button).pressed.connect(_actions.ask_where_to_save)
+	(%Save as Button).pressed.connect(_actions.choose_file)
 
 
 # The clock advances while the wind is visible: here, or in the scene.
@@ -103,28 +103,28 @@ func _set_degrees(degrees: float) -> void:
 
 func _set_wind(value: float, property: StringName) -> void:
 	var accepted := minf(value, MAX_VALUES.get(property, INF))
-	_say_limit(property, accepted < value and MAX_VALUES.has(property))
+	_report_limit(property, accepted < value and MAX_VALUES.has(property))
 	if _state.wind.get(property) == accepted:
 		_show_wind()
 	else:
 		_state.wind.set(property, accepted)
 
 
-func _blow_as(preset: PlantWind) -> void:
+func _apply_preset(preset: PlantWind) -> void:
 	for property in WindPresets.PROPERTIES:
 		_state.wind.set(property, preset.get(property))
 
 
-func _say_limit(property: StringName, is_reached: bool) -> void:
+func _report_limit(property: StringName, is_reached: bool) -> void:
 	if is_reached:
-		var told := tr("%s can be at most %d %s.")
+		var message := tr("%s can be at most %d %s.")
 		var words := [
 			tr(property.capitalize()), roundi(MAX_VALUES[property]), _sliders[property].suffix
 		]
-		_state.report(told % words, EditorState.Severity.WARNING)
-	elif _says_limit:
+		_state.report(message % words, EditorState.Severity.WARNING)
+	elif _shows_limit:
 		_state.report("")
-	_says_limit = is_reached
+	_shows_limit = is_reached
 
 
 func _show_wind() -> void:

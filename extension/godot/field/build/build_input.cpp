@@ -25,7 +25,7 @@ using namespace godot;
 namespace undergrowth {
 
 Transform3D axes_of(const Node3D *node) {
-	const Transform3D placed = node->get_global_transform();
+	const Transform3D placed = node->is_inside_tree() ? node->get_global_transform() : node->get_transform();
 	const float volume = placed.basis.determinant();
 	return placed.is_finite() && std::isfinite(volume) && volume != 0.0f ? placed : Transform3D();
 }
@@ -48,7 +48,7 @@ int64_t seed_at(const Node3D *node, int64_t seed) {
 // The density of a species is its weighted part of the field's density, times its own factor.
 static void add_species(const PlantFieldSpecies &listed, PlacementRequest &into) {
 	PlacementSpecies kind;
-	kind.share = float(listed.get_weight() * listed.get_density_factor());
+	kind.weight = float(listed.get_weight() * listed.get_density_factor());
 	kind.variants = listed.get_variants();
 	kind.min_scale = listed.get_scale_range().x;
 	kind.max_scale = listed.get_scale_range().y;
@@ -123,7 +123,7 @@ String read_request(const Node3D *field, const PlacementOptions &options, const 
 		const Ref<PlantFieldSpecies> listed = options.species[i];
 		if (listed.is_null()) {
 			into.species.emplace_back();
-			into.species.back().share = 0.0f;
+			into.species.back().weight = 0.0f;
 			continue;
 		}
 		add_species(**listed, into);

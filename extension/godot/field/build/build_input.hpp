@@ -15,8 +15,8 @@ namespace undergrowth {
 // Reads the input of a build from properties and scene. Main thread. A returned String describes a fault and its
 // remedy; empty: no fault.
 
-/// Returns the transform from a node's axes to the world's. A singular or infinite transform counts as the identity, so
-/// that the result is always invertible.
+/// Returns the transform from a node's axes to the world's, or to its parent's outside the tree. A singular or infinite
+/// transform counts as the identity, so that the result is always invertible.
 godot::Transform3D axes_of(const godot::Node3D *node);
 
 /// Returns the seed for the positions of plants in a field of this `seed`; for PLACE_SEED, one from the node's global

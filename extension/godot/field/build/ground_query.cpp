@@ -315,7 +315,10 @@ private:
 } // namespace
 
 Object *find_ground_object(const Node3D *field, const NodePath &path) {
-	Object *found = path.is_empty() ? nullptr : field->get_node_or_null(path);
+	if (path.is_empty()) {
+		return nullptr;
+	}
+	Object *found = field->get_node_or_null(path);
 	const String property = path.get_concatenated_subnames();
 	return found && !property.is_empty() ? found->get_indexed(NodePath(":" + property)).get_validated_object() : found;
 }

@@ -450,7 +450,7 @@ void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
 		return;
 	}
 	if (frame.wind.is_valid() && !frame.cameras.empty()) {
-		Ref<PlantWind>(frame.wind)->look_from(frame.cameras.front());
+		Ref<PlantWind>(frame.wind)->set_pivot(frame.cameras.front());
 	}
 	const Transform3D to_field = frame.axes.affine_inverse();
 	std::vector<glm::vec3> cameras;

@@ -240,9 +240,9 @@ static void fill_plan(const FieldRenderSetup &setup, const RankedPlants &ranked,
 		high = glm::max(high, root);
 		lowest = glm::min(lowest, root - plant.reach);
 		highest = glm::max(highest, root + plant.reach);
-		plan.kept[size_t(plant.step)]++;
+		plan.rank_counts[size_t(plant.step)]++;
 	}
-	std::partial_sum(plan.kept.begin(), plan.kept.end(), plan.kept.begin());
+	std::partial_sum(plan.rank_counts.begin(), plan.rank_counts.end(), plan.rank_counts.begin());
 	plan.roots = AABB(to_godot(low), to_godot(high - low));
 	plan.box = AABB(to_godot(lowest), to_godot(highest - lowest));
 }

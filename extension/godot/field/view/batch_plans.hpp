@@ -49,7 +49,7 @@ struct BatchPlan {
 	int group = 0; ///< Index of the mesh among those of the species at its level.
 	int count = 0;
 	int stride = 0; ///< Floats per plant.
-	RankCounts kept = {}; ///< Number of plants with a rank of at most i / RANK_STEPS.
+	RankCounts rank_counts = {}; ///< Number of plants with a rank of at most i / RANK_STEPS.
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
 	godot::AABB roots; ///< Bounding box of the roots.

@@ -79,7 +79,7 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	batch.species = plan.species;
 	batch.count = plan.count;
 	batch.has_parts = style.has_parts();
-	batch.kept = plan.kept;
+	batch.rank_counts = plan.rank_counts;
 	batch.roots = plan.roots;
 	batch.middle = plan.box.get_center();
 	batch.radius = 0.5f * plan.roots.size.length() + batch.middle.distance_to(plan.roots.get_center());
@@ -241,14 +241,14 @@ void FieldView::set_transform(const Transform3D &transform) {
 	is_culled = false;
 	const Vector3 scale = transform.basis.get_scale().abs();
 	const float largest = std::max({ scale.x, scale.y, scale.z });
-	const bool is_scaled_anew = largest != largest_scale;
+	const bool scale_changed = largest != largest_scale;
 	largest_scale = largest;
 	for_each([&](RenderingServer *server, const FieldLevel &level, const Batch &batch) {
 		server->instance_set_transform(batch.instance, placed);
 		if (batch.shadow.is_valid()) {
 			server->instance_set_transform(batch.shadow, placed);
 		}
-		if (is_scaled_anew) {
+		if (scale_changed) {
 			set_range(batch, level);
 		}
 	});
@@ -277,13 +277,13 @@ void FieldView::set_materials(const FieldRenderSetup &setup) {
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
 			if (!batch.near) {
-				wear_material(server, setup, place, batch);
+				set_material(server, setup, place, batch);
 			}
 		}
 	}
 }
 
-void FieldView::wear_material(
+void FieldView::set_material(
 		RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch) {
 	const SpeciesStyle &style = setup.styles[size_t(batch.species)];
 	server->instance_geometry_set_material_override(batch.instance, style.materials[size_t(place.level)]->get_rid());
@@ -320,8 +320,8 @@ int FieldView::steps_for(const FieldLevel &level, const Batch &batch, const std:
 
 bool FieldView::culls() const {
 	const auto is_thinned_level = [](const FieldLevel &level) { return level.is_near || level.lod_density.is_any(); };
-	return std::any_of(levels.begin(), levels.end(), [&](const std::vector<FieldLevel> &of_look) {
-		return std::any_of(of_look.begin(), of_look.end(), is_thinned_level);
+	return std::any_of(levels.begin(), levels.end(), [&](const std::vector<FieldLevel> &species_levels) {
+		return std::any_of(species_levels.begin(), species_levels.end(), is_thinned_level);
 	});
 }
 
@@ -348,7 +348,7 @@ void FieldView::cull(const std::vector<DrawingCamera> &cameras) {
 			if (steps != batch.shown) {
 				batch.shown = steps;
 				// Renderers need at least one instance; the shader does not draw it.
-				server->multimesh_set_visible_instances(batch.multimesh, std::max(batch.kept[size_t(steps)], 1));
+				server->multimesh_set_visible_instances(batch.multimesh, std::max(batch.rank_counts[size_t(steps)], 1));
 			}
 		}
 	}
@@ -361,10 +361,10 @@ std::vector<int> FieldView::count_drawn(const FieldRenderSetup &setup, const Vec
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
 			if (batch.near) {
-				const std::vector<FieldLevel> &of_look = levels[size_t(batch.species)];
-				for (size_t i = 0; i < of_look.size(); i++) {
-					drawn[i] += of_look[i].is_near
-							? batch.near->count_within(placed.affine_inverse().xform(camera), of_look[i])
+				const std::vector<FieldLevel> &species_levels = levels[size_t(batch.species)];
+				for (size_t i = 0; i < species_levels.size(); i++) {
+					drawn[i] += species_levels[i].is_near
+							? batch.near->count_within(placed.affine_inverse().xform(camera), species_levels[i])
 							: 0;
 				}
 				continue;
@@ -373,7 +373,7 @@ std::vector<int> FieldView::count_drawn(const FieldRenderSetup &setup, const Vec
 			const float away = placed.xform(batch.middle).distance_to(camera);
 			const float radius = batch.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
-				drawn[size_t(place.level)] += batch.kept[size_t(steps_for(level, batch, { seen_from }))];
+				drawn[size_t(place.level)] += batch.rank_counts[size_t(steps_for(level, batch, { seen_from }))];
 			}
 		}
 	}
@@ -489,7 +489,7 @@ void FieldView::show_prepared(const FieldRenderSetup &setup, const BatchKey &pla
 		has_other_near = true;
 	} else {
 		const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(place.level)];
-		wear_material(RenderingServer::get_singleton(), setup, place, batch);
+		set_material(RenderingServer::get_singleton(), setup, place, batch);
 		set_range(batch, seen);
 		apply_flags(batch, seen);
 	}

@@ -101,7 +101,7 @@ private:
 		int species = 0;
 		int count = 0;
 		bool has_parts = false;
-		RankCounts kept;
+		RankCounts rank_counts;
 		godot::AABB roots; ///< Field axes, m.
 		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
 		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
@@ -137,7 +137,7 @@ private:
 	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
 	void reveal(Batch &batch);
 	void set_visible(const Batch &batch, bool visible) const;
-	static void wear_material(
+	static void set_material(
 			godot::RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch);
 	int level_count() const { return levels.empty() ? 0 : int(levels.front().size()); }
 	static void free_batch(const Batch &batch);

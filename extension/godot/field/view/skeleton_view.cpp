@@ -20,7 +20,7 @@ namespace undergrowth {
 static constexpr int FRAMES_BETWEEN_CHOICES = 6;
 static constexpr size_t MAX_NEW_SKELETONS = 8; // Per frame; each needs a mesh of its own.
 // A shown plant stays up to this multiple of the distance, so that nothing flickers.
-static constexpr float KEPT_FARTHER = 1.1f;
+static constexpr float HYSTERESIS = 1.1f;
 
 // From the field's axes to the axes of a plant with this turn.
 static glm::vec2 own_bend(const glm::vec2 &bend, float turn) {
@@ -62,7 +62,7 @@ std::vector<PlantRef> SkeletonView::find_nearest(
 	}
 	const Transform3D to_field = scene.axes.affine_inverse();
 	const Vector3 scale = to_field.basis.get_scale().abs();
-	const float reach = KEPT_FARTHER * distance * std::max({ scale.x, scale.y, scale.z });
+	const float reach = HYSTERESIS * distance * std::max({ scale.x, scale.y, scale.z });
 	std::map<PlantRef, float> nearest; // m; reduced for shown plants.
 	for (const Vector3 &camera : cameras) {
 		std::vector<PlantRef> around;
@@ -70,7 +70,7 @@ std::vector<PlantRef> SkeletonView::find_nearest(
 		for (const PlantRef &ref : around) {
 			const PlantChunk &chunk = scene.store.chunk(ref.chunk);
 			const float away = scene.axes.xform(to_godot(chunk.root(ref.slot))).distance_to(camera);
-			const float counted = find_shown(ref) ? away / KEPT_FARTHER : away;
+			const float counted = find_shown(ref) ? away / HYSTERESIS : away;
 			const SpeciesStyle &style = scene.setup.styles[size_t(chunk.species)];
 			const LodDensity lod_density = first_used(style).lod_density_of(style.has_parts());
 			const bool is_whole = !lod_density.is_any() || // Thinned plants get no skeleton.

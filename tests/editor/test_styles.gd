@@ -1,5 +1,5 @@
 @tool
-extends "look_checks.gd"
+extends "style_checks.gd"
 ## Shows all controls of the add-on in the editor. None is truncated on the screens of this run.
 ## Each step saves a picture (look_*.png) for review.
 
@@ -20,7 +20,7 @@ func test_the_pages_for_species() -> void:
 		check(await until(counts.is_visible_in_tree), "%s is there" % shown[0])
 		await frames(10)
 		check_nothing_is_cut(dock(), shown[1])
-		await take_look(shown[1])
+		await take_style(shown[1])
 
 
 func test_levels_rings_and_bones() -> void:
@@ -30,7 +30,7 @@ func test_levels_rings_and_bones() -> void:
 		await click(button)
 		await frames(10)
 		check_nothing_is_cut(dock(), tool)
-		await take_look(tool.to_lower())
+		await take_style(tool.to_lower())
 		await click(button)
 
 
@@ -41,13 +41,13 @@ func test_the_dock_by_itself() -> void:
 	_state().report(LONG, EditorState.Severity.ERROR)
 	await frames(5)
 	check_nothing_is_cut(dock(), "an error")
-	await take_look("error")
+	await take_style("error")
 	_state().report("Nothing is selected.", EditorState.Severity.WARNING)
 	_state().begin_work("Baking Poppy…", 10)
 	_state().advance_work()
 	await frames(5)
 	check_nothing_is_cut(dock(), "work")
-	await take_look("work")
+	await take_style("work")
 	_state().end_work()
 	_state().report("")
 
@@ -59,11 +59,11 @@ func test_the_page_for_wind() -> void:
 		_state().wind.speed = 6.0
 		await frames(60)
 		check_nothing_is_cut(dock(), kind[1])
-		await take_look(kind[1])
+		await take_style(kind[1])
 	var scroll := part("Wind") as ScrollContainer
 	scroll.scroll_vertical = int(scroll.get_v_scroll_bar().max_value)
 	await frames(10)
-	await take_look("air_below")
+	await take_style("air_below")
 	_state().wind.kind = PlantWind.KIND_WAVES
 
 
@@ -77,7 +77,7 @@ func test_the_brush() -> void:
 			await frames(10)
 			check_nothing_is_cut(_bar(), tool)
 			check_nothing_is_cut(find_by_script(SETTINGS_SCRIPT), tool)
-			await take_look("brush_%s_%s" % [name, tool])
+			await take_style("brush_%s_%s" % [name, tool])
 		await click(_bar().get_node("%Height") as Control)
 
 
@@ -88,7 +88,7 @@ func test_the_inspector() -> void:
 		_select([root.get_node(name)])
 		await open_inspector()
 		await frames(20)
-		await take_look("inspector_" + name)
+		await take_style("inspector_" + name)
 	var resources: Dictionary[String, Resource] = {
 		"wind": field.wind,
 		"map": field.map,
@@ -101,29 +101,29 @@ func test_the_inspector() -> void:
 		await open_inspector()
 		await frames(20)
 		check_nothing_is_cut(EditorInterface.get_inspector(), name)
-		await take_look("inspector_" + name)
+		await take_style("inspector_" + name)
 	EditorInterface.edit_node(null)
 
 
 func test_the_dialogs_for_species() -> void:
 	await _choose("Poppy")
 	await click(part("Plant/List/New") as Control)
-	await _look_at("ConfirmationDialog", "new_empty")
+	await _check_dialog("ConfirmationDialog", "new_empty")
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	for typed: Array in [["Marsh Sedge", "new"], ["9 lives", "new_refused"]]:
 		await _type_into(dialog, dialog.get_node("%Title") as LineEdit, typed[0])
-		await _look_at("ConfirmationDialog", typed[1])
+		await _check_dialog("ConfirmationDialog", typed[1])
 	var browse := dialog.get_node("%Folder").get_node("%Browse") as Button
 	await click(browse)
 	for child in dialog.get_node("%Folder").get_children(true):
 		if child is EditorFileDialog:
-			await take_dialog_look(child as Window, "folder")
+			await take_dialog_style(child as Window, "folder")
 			(child as Window).hide()
 	await frames(3)
 	dialog.hide()
 	await frames(3)
 	await _use("Save")
-	await _look_at("EditorFileDialog", "save")
+	await _check_dialog("EditorFileDialog", "save")
 	_dialog("EditorFileDialog").hide()
 	await frames(3)
 
@@ -133,17 +133,17 @@ func test_the_dialogs_for_baking() -> void:
 		DirAccess.remove_absolute("res://poppy_lod%d.res" % level)
 	await _choose("Poppy")
 	await _use("Bake")
-	await _look_at("ConfirmationDialog", "bake")
+	await _check_dialog("ConfirmationDialog", "bake")
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	await _type_into(dialog, dialog.get_node("%Levels") as LineEdit, "many")
-	await _look_at("ConfirmationDialog", "bake_refused")
+	await _check_dialog("ConfirmationDialog", "bake_refused")
 	await _type_into(dialog, dialog.get_node("%Levels") as LineEdit, "6, 3, 2, 1")
 	await click(dialog.get_ok_button())
 	check(await until(func() -> bool: return _message().begins_with("Baked")), _message())
 	await _use("Bake")
 	await click(_dialog("ConfirmationDialog").call(&"get_ok_button") as Control)
 	await frames(3)
-	await _look_at("ConfirmationDialog", "replace")
+	await _check_dialog("ConfirmationDialog", "replace")
 	_dialog("ConfirmationDialog").hide()
 
 
@@ -153,7 +153,7 @@ func test_the_dialog_for_a_wind() -> void:
 	await frames(5)
 	for child: Node in part("Wind/WindActions").get_children(true):
 		if child is EditorFileDialog:
-			await take_dialog_look(child as Window, "wind")
+			await take_dialog_style(child as Window, "wind")
 			(child as Window).hide()
 	check(true, "seen")
 
@@ -168,11 +168,11 @@ func _has_pictures() -> bool:
 	return true
 
 
-func _look_at(kind: String, name: String) -> void:
+func _check_dialog(kind: String, name: String) -> void:
 	var dialog := _dialog(kind)
 	check(dialog != null, "the dialog %s is open" % name)
 	if dialog:
-		await take_dialog_look(dialog, name)
+		await take_dialog_style(dialog, name)
 
 
 func _bar() -> Control:

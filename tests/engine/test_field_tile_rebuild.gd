@@ -26,7 +26,7 @@ func after_each() -> void:
 
 
 ## Tests the whole field and a streaming one.
-func test_near_tiles_are_grown_anew_while_far_ones_still_stand() -> void:
+func test_near_tiles_are_rebuilt_before_far_ones() -> void:
 	for distance: float in [0.0, 400.0]:
 		field.free()
 		field = _make_field()
@@ -48,7 +48,7 @@ func _check_near_first(density: float) -> void:
 		check(has_come or not far_has_come, "the far one waits for the near one")
 		is_seen = is_seen or (has_come and not far_has_come)
 		await process_frame
-	check(is_seen, "the near one stands before the far one does")
+	check(is_seen, "the near one is built before the far one")
 	check(_count(NEAR) != near and _count(FAR) != far, "both have come")
 
 
@@ -58,17 +58,17 @@ func test_progress_goes_up_to_the_end() -> void:
 		field = _make_field()
 		field.view_distance = distance
 		await start()
-		var told: Array[float] = []
-		field.build_progressed.connect(func(ratio: float) -> void: told.append(ratio))
+		var reported: Array[float] = []
+		field.build_progressed.connect(func(ratio: float) -> void: reported.append(ratio))
 		field.density = 1.2 * DENSITY
 		await filled(field)
-		check(told.size() > 5, "%d are told" % told.size())
-		for i in range(1, told.size()):
-			check(told[i] > told[i - 1], "%f after %f" % [told[i], told[i - 1]])
-		check_equal(told[-1], 1.0, "the last one")
+		check(reported.size() > 5, "%d signals" % reported.size())
+		for i in range(1, reported.size()):
+			check(reported[i] > reported[i - 1], "%f after %f" % [reported[i], reported[i - 1]])
+		check_equal(reported[-1], 1.0, "the last one")
 
 
-func test_ids_are_of_one_plant_each_while_two_densities_stand() -> void:
+func test_ids_are_unique_while_tiles_of_two_densities_exist() -> void:
 	await start()
 	field.density = 1.1 * DENSITY
 	await frames(1)
@@ -92,11 +92,11 @@ func _check_ids() -> void:
 	for place: Vector3 in [NEAR, FAR, Vector3.ZERO]:
 		for id in field.find_plants_in_sphere(place, REACH):
 			var root_place := field.get_plant_transform(id).origin
-			check(root_place.distance_to(place) <= REACH + 0.01, "%d stands there" % id)
-		check(field.find_nearest_plant(place, 5.0) >= 0, "somebody does")
+			check(root_place.distance_to(place) <= REACH + 0.01, "%d is there" % id)
+		check(field.find_nearest_plant(place, 5.0) >= 0, "a plant is there")
 
 
-func test_who_stays_keeps_id_and_motion_all_the_time() -> void:
+func test_remaining_plants_preserve_id_and_motion() -> void:
 	field.simulation_enabled = false
 	await start()
 	field.apply_impulse_in_sphere(Vector3.ZERO, 200.0, BLOW)
@@ -114,7 +114,7 @@ func test_who_stays_keeps_id_and_motion_all_the_time() -> void:
 	check_near(_max_apart(field.get_motion_state(ids), before), 0.0, ROUNDING, "motion then")
 
 
-func test_who_is_removed_in_the_midst_of_it_never_comes_back() -> void:
+func test_plants_removed_during_a_rebuild_stay_removed() -> void:
 	await start()
 	field.density = 1.3 * DENSITY
 	await frames(1)
@@ -135,7 +135,7 @@ func test_who_is_removed_in_the_midst_of_it_never_comes_back() -> void:
 		check_equal(field.find_plants_in_sphere(old, 0.9).size(), 0, "plants at %s then" % old)
 
 
-func test_a_second_change_begins_anew_with_all_that_is_set() -> void:
+func test_a_second_change_restarts_with_all_properties() -> void:
 	await start()
 	for i in 12:
 		field.density = DENSITY * (1.0 + 0.05 * (i % 5))
@@ -164,7 +164,7 @@ func test_a_second_change_begins_anew_with_all_that_is_set() -> void:
 	other.free()
 
 
-func test_what_is_painted_in_the_midst_of_it_is_there_then() -> void:
+func test_strokes_during_a_rebuild_appear_after_it() -> void:
 	field.map = PlantMap.new()
 	for entry: PlantFieldSpecies in field.species:
 		field.map.paint(Vector3.ZERO, 100.0, entry.get_layer_name(), 1.0)
@@ -180,7 +180,7 @@ func test_what_is_painted_in_the_midst_of_it_is_there_then() -> void:
 	await rested()
 	for place in bare:
 		check_equal(field.find_plants_in_sphere(place, 1.0).size(), 0, "plants at %s" % place)
-	check(field.find_plants_in_sphere(Vector3(-30, 0, 40), 3.0).size() > 50, "elsewhere they stand")
+	check(field.find_plants_in_sphere(Vector3(-30, 0, 40), 3.0).size() > 50, "they exist elsewhere")
 
 
 func test_added_and_mown_ones_outlive_it() -> void:
@@ -193,10 +193,10 @@ func test_added_and_mown_ones_outlive_it() -> void:
 	field.clump_size += 1.0
 	await frames(1)
 	while field.is_building():
-		check(field.has_plant(added), "the added one stands")
+		check(field.has_plant(added), "the added one exists")
 		check_near(relative_tip(mown).length(), height, 0.01, "the mown one is low")
 		await process_frame
-	check(field.has_plant(added) and field.has_plant(mown), "both stand")
+	check(field.has_plant(added) and field.has_plant(mown), "both exist")
 
 
 func test_a_streaming_field_leaves_nothing_behind_of_sparse_species() -> void:
@@ -218,7 +218,7 @@ func test_a_streaming_field_leaves_nothing_behind_of_sparse_species() -> void:
 	other.free()
 
 
-func test_out_of_the_tree_in_the_midst_of_it() -> void:
+func test_leaving_the_tree_during_it() -> void:
 	await start()
 	for i in 12:
 		field.density = DENSITY * (1.0 + 0.05 * (i % 5))

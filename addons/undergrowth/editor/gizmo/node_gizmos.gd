@@ -11,7 +11,7 @@ extends EditorNode3DGizmoPlugin
 const Translations := preload("../translations/translations.gd")
 
 var _undo: EditorUndoRedoManager
-var _stand_in: Node3D
+var _placeholder: Node3D
 # Gizmos of each node in the tree, by the node's id.
 var _made: Dictionary[int, Array] = {}
 # Drawn values of each selected node, by its id. Different values cause a redraw.
@@ -22,14 +22,14 @@ func _init() -> void:
 	set_translation_domain(Translations.DOMAIN)
 
 
-## Changes are steps of [param undo]. Gizmos without a node belong to [param stand_in], which must
-## outlive this object.
-func setup(undo: EditorUndoRedoManager, stand_in: Node3D) -> void:
+## Changes are steps of [param undo]. Gizmos without a node belong to [param placeholder], which
+## must outlive this object.
+func setup(undo: EditorUndoRedoManager, placeholder: Node3D) -> void:
 	_undo = undo
-	_stand_in = stand_in
+	_placeholder = placeholder
 	(Engine.get_main_loop() as SceneTree).process_frame.connect(_follow)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
-	_ask_for_gizmos.call_deferred()
+	_request_gizmos.call_deferred()
 
 
 ## Releases the editor's objects. Call it before the plugin is removed.
@@ -45,7 +45,7 @@ func _create_gizmo(node: Node3D) -> EditorNode3DGizmo:
 	var id := node.get_instance_id()
 	if not _made.has(id):
 		_made[id] = []
-		node.tree_exited.connect(_let_go.bind(id), CONNECT_ONE_SHOT)
+		node.tree_exited.connect(_release_gizmos.bind(id), CONNECT_ONE_SHOT)
 	_made[id].append(weakref(gizmo))
 	return gizmo
 
@@ -60,16 +60,16 @@ func _worked_on() -> Array[Node3D]:
 
 
 ## Returns the values that the gizmo of a selected node shows. They can change at any time.
-func _look_of(_node: Node3D) -> Array:
+func _get_shown_values(_node: Node3D) -> Array:
 	return []
 
 
 # Runs in each frame.
 func _follow() -> void:
 	for node in _worked_on():
-		var look := _look_of(node)
-		if _drawn.get(node.get_instance_id(), []) != look:
-			_drawn[node.get_instance_id()] = look
+		var values := _get_shown_values(node)
+		if _drawn.get(node.get_instance_id(), []) != values:
+			_drawn[node.get_instance_id()] = values
 			node.update_gizmos()
 
 
@@ -97,17 +97,17 @@ static func _is_selected(node: Node) -> bool:
 	return EditorInterface.get_selection().get_selected_nodes().has(node)
 
 
-func _let_go(id: int) -> void:
-	for kept: WeakRef in _made[id]:
-		var gizmo := kept.get_ref() as EditorNode3DGizmo
+func _release_gizmos(id: int) -> void:
+	for reference: WeakRef in _made[id]:
+		var gizmo := reference.get_ref() as EditorNode3DGizmo
 		if gizmo:
-			gizmo.set_node_3d(_stand_in)
+			gizmo.set_node_3d(_placeholder)
 	_made.erase(id)
 	_drawn.erase(id)
 
 
 # Nodes of a scene that was open before the plugin got no gizmo. They must request it again.
-func _ask_for_gizmos() -> void:
+func _request_gizmos() -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	if not root:
 		return

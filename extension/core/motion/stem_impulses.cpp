@@ -1,4 +1,4 @@
-#include "motion/stem_blows.hpp"
+#include "motion/stem_impulses.hpp"
 
 #include "stem/stem_bones.hpp"
 
@@ -66,11 +66,11 @@ float stem_mass(const StemConstants &stem, float x) {
 	return 1.0f / std::max(ease, MIN_EASE);
 }
 
-void blow_on_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale) {
+void apply_stem_impulse(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale) {
 	const Deflection deflection = deflection_at(stem, x);
-	const glm::vec2 blow = across_stem(impulse, bend_at(stem, state, x));
+	const glm::vec2 across = across_stem(impulse, bend_at(stem, state, x));
 	for (int k = 0; k < stem.modes; k++) {
-		state.rate[k] += scale * deflection.of_mode[k] / (2.0f * stem.mode[k].mass) * blow;
+		state.rate[k] += scale * deflection.of_mode[k] / (2.0f * stem.mode[k].mass) * across;
 	}
 	state = safe_stem(stem, state);
 }

@@ -5,7 +5,7 @@ extends "res://tests/engine/field_harness.gd"
 const MANY := 5000
 const BLOW := Vector3(0.004, 0.0, 0.001)
 const ROUNDING := 1e-4
-const HALF_A_BLOW := 0.05  # m/s: half of one blow on a tip, more than rounding.
+const HALF_AN_IMPULSE := 0.05  # m/s: half of one blow on a tip, more than rounding.
 
 
 func before_each() -> void:
@@ -13,7 +13,7 @@ func before_each() -> void:
 
 
 ## The result is the same to the bit for any order of changes.
-func test_a_field_that_was_refilled_is_as_one_that_is_filled_at_once() -> void:
+func test_a_rebuilt_field_equals_one_that_is_built_at_once() -> void:
 	await start()
 	field.density = 40.0
 	await filled(field)
@@ -40,7 +40,7 @@ func test_a_field_that_was_refilled_is_as_one_that_is_filled_at_once() -> void:
 	other.free()
 
 
-func test_what_is_done_to_plants_while_they_are_refilled_stays_done() -> void:
+func test_edits_during_a_rebuild_are_preserved() -> void:
 	field.simulation_enabled = false
 	await start()
 	check(field.get_plant_count() > MANY, "%d plants" % field.get_plant_count())
@@ -61,18 +61,18 @@ func test_what_is_done_to_plants_while_they_are_refilled_stays_done() -> void:
 			blows += 1
 			await process_frame
 		check(blows > 1, "it takes %d frames" % blows)
-		check(field.has_plant(pushed), "it stands again")
+		check(field.has_plant(pushed), "it exists again")
 		check_near(_max_apart(field.get_motion_state(others), before), 0.0, ROUNDING, "others")
 		var now := field.get_motion_state([pushed])
 		field.set_motion_state([pushed], state)
 		for i in blows:
 			field.apply_impulse_in_sphere(at, 0.001, BLOW)
 		var wanted := field.get_motion_state([pushed])
-		check_near(_max_apart(now, wanted), 0.0, HALF_A_BLOW, "it has got all %d blows" % blows)
+		check_near(_max_apart(now, wanted), 0.0, HALF_AN_IMPULSE, "it has got all %d blows" % blows)
 		check(_max_apart(now, state) > 0.01 * blows, "which it feels")
 
 
-func test_who_is_removed_or_added_while_it_is_refilled_is_so_then() -> void:
+func test_removals_and_additions_during_a_rebuild_are_preserved() -> void:
 	await start()
 	var function := field.species[0].species
 	for attempt in 3:
@@ -93,7 +93,7 @@ func test_who_is_removed_or_added_while_it_is_refilled_is_so_then() -> void:
 		field.remove_plants(added)
 
 
-func test_a_filling_that_is_overtaken_leaves_nothing_behind() -> void:
+func test_a_superseded_build_leaves_nothing_behind() -> void:
 	await start()
 	for i in 40:
 		field.density = 40.0 + i % 7
@@ -112,7 +112,7 @@ func test_a_filling_that_is_overtaken_leaves_nothing_behind() -> void:
 
 
 ## At any phase: placement, planning, preparation or transfer of motion.
-func test_a_filling_of_other_seeds_that_is_overtaken_leaves_nothing_behind() -> void:
+func test_a_superseded_build_of_other_seeds_leaves_nothing_behind() -> void:
 	await start()
 	for i in 80:
 		field.seed += 1
@@ -131,7 +131,7 @@ func test_a_filling_of_other_seeds_that_is_overtaken_leaves_nothing_behind() -> 
 	other.free()
 
 
-func test_out_of_the_tree_in_the_midst_of_it() -> void:
+func test_leaving_the_tree_during_it() -> void:
 	await start()
 	for i in 12:
 		field.clump_size += 0.25

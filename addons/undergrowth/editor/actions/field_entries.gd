@@ -41,14 +41,14 @@ static func add(field: PlantField3D, entry: PlantFieldSpecies) -> void:
 ## that preserves the density of the other species.
 static func suit(field: PlantField3D, entry: PlantFieldSpecies) -> float:
 	var wanted := minf(FieldDefaults.find_density(entry.species), _room_of(field))
-	var shares := 0.0
+	var weights := 0.0
 	for other in field.species:
-		shares += other.weight if other and other.species else 0.0
+		weights += other.weight if other and other.species else 0.0
 	if field.density <= 0.0:
 		return wanted
-	if shares <= 0.0:
+	if weights <= 0.0:
 		return field.density
-	entry.weight = shares * wanted / field.density
+	entry.weight = weights * wanted / field.density
 	return field.density + wanted
 
 

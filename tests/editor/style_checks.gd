@@ -8,23 +8,23 @@ const SLIDER_MARGIN := 0.5
 
 
 ## Prefix of the pictures of this run: width of the screen, and other differences.
-func look_name(name: String) -> String:
+func style_name(name: String) -> String:
 	var light := "_light" if _is_light() else ""
 	var screen := DisplayServer.screen_get_size().x
 	return "look_%d%s_%s" % [screen, light, name]
 
 
-func take_look(name: String) -> void:
+func take_style(name: String) -> void:
 	await frames(3)
-	await _photograph(look_name(name))
+	await _photograph(style_name(name))
 
 
-func take_dialog_look(dialog: Window, name: String) -> void:
+func take_dialog_style(dialog: Window, name: String) -> void:
 	check_nothing_is_cut(dialog, name)
 	await frames(6)
 	await RenderingServer.frame_post_draw
 	if not pictures_folder.is_empty():
-		var path := pictures_folder.path_join(look_name("dialog_" + name) + ".png")
+		var path := pictures_folder.path_join(style_name("dialog_" + name) + ".png")
 		dialog.get_texture().get_image().save_png(path)
 
 
@@ -45,10 +45,10 @@ func _find_cut(node: Node) -> PackedStringArray:
 	if control:
 		var minimum := control.get_combined_minimum_size()
 		if control.size.x < minimum.x - 0.5 or control.size.y < minimum.y - 0.5:
-			found.append("%s is %s, not %s" % [_called(control), control.size, minimum])
+			found.append("%s is %s, not %s" % [_path_of(control), control.size, minimum])
 		var wanted := _text_width(control)
 		if wanted > control.size.x + 0.5:
-			found.append("%s wants %.0f of %.0f" % [_called(control), wanted, control.size.x])
+			found.append("%s wants %.0f of %.0f" % [_path_of(control), wanted, control.size.x])
 	for child in node.get_children():
 		if child is not Window:
 			found.append_array(_find_cut(child))
@@ -84,7 +84,7 @@ func _width_of(control: Control, text: String) -> float:
 	return font.get_multiline_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 
 
-func _called(control: Control) -> String:
+func _path_of(control: Control) -> String:
 	var text: Variant = control.get("text") if "text" in control else ""
 	if control is EditorSpinSlider:
 		text = (control as EditorSpinSlider).label

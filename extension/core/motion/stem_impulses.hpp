@@ -20,7 +20,7 @@ float stem_mass(const StemConstants &stem, float x);
 
 /// A blow (N·s): the place's velocity changes by impulse over stem_mass() across the stem; the root
 /// resists the part along the stem.
-void blow_on_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale);
+void apply_stem_impulse(const StemConstants &stem, StemState &state, float x, const glm::vec3 &impulse, float scale);
 
 /// Moves a point by `way` (m) across the stem with minimum bending energy, like a slow push. For moves that are small
 /// relative to the stem.

@@ -1,5 +1,5 @@
 #include "../stem/stems.hpp"
-#include "motion/stem_blows.hpp"
+#include "motion/stem_impulses.hpp"
 #include "stem/stem_bones.hpp"
 #include "stem_plants.hpp"
 
@@ -38,7 +38,7 @@ StemConstants sample(int modes) {
 
 } // namespace
 
-TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem, bent or not, of any length") {
+TEST_CASE("an impulse changes a joint's speed by impulse over mass, across the stem, bent or not, of any length") {
 	for (const int modes : { 1, 2 }) {
 		const StemConstants stem = sample(modes);
 		for (int joint = 1; joint <= stem.joints + 1; joint++) {
@@ -46,7 +46,7 @@ TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem,
 				for (const float scale : { 1.0f, 0.5f, 2.0f }) {
 					StemState state = standing({ bent, 0.2f * bent }, { modes == 2 ? 0.01f : 0.0f, 0.0f });
 					const glm::vec3 impulse(1e-5f, 2e-6f, -3e-6f);
-					blow_on_stem(stem, state, at_joint(stem, joint), impulse, scale);
+					apply_stem_impulse(stem, state, at_joint(stem, joint), impulse, scale);
 					const glm::vec3 speed = stem_velocity(stem, state, at_joint(stem, joint), scale);
 					const float x = std::min(static_cast<float>(joint) / static_cast<float>(stem.joints), 1.0f);
 					const glm::vec2 bend = stem_bend(stem, state.place, x);
@@ -57,7 +57,7 @@ TEST_CASE("a blow changes a joint's speed by impulse over mass, across the stem,
 					CAPTURE(bent);
 					const float off = glm::distance(speed, expected) / glm::length(expected);
 					CHECK(off < SPEED_TOLERANCE);
-					figures::record_error(figures::SWINGS, "speed after a blow on a joint", SPEED_TOLERANCE, off);
+					figures::record_error(figures::SWINGS, "speed after an impulse on a joint", SPEED_TOLERANCE, off);
 					CHECK(std::fabs(glm::dot(speed, direction)) < 1e-4f * glm::length(speed));
 				}
 			}
@@ -73,10 +73,10 @@ TEST_CASE("the mass at the head of a light stem is that of the head") {
 	CHECK(static_cast<double>(stem_mass(stem, ON_HEAD)) == doctest::Approx(expected).epsilon(0.06));
 }
 
-TEST_CASE("the root resists a blow along the stem") {
+TEST_CASE("the root resists an impulse along the stem") {
 	const StemConstants stem = sample(2);
 	StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });
-	blow_on_stem(stem, state, 1.0f, 1e-3f * from_stereographic(stem_bend(stem, state.place, 1.0f)), 1.0f);
+	apply_stem_impulse(stem, state, 1.0f, 1e-3f * from_stereographic(stem_bend(stem, state.place, 1.0f)), 1.0f);
 	CHECK(glm::length(state.rate[0]) < 1e-4f);
 	CHECK(glm::length(state.rate[1]) < 1e-3f);
 }
@@ -106,11 +106,11 @@ TEST_CASE("a push moves a joint by its length, with the least energy") {
 	}
 }
 
-TEST_CASE("no blow and no push, however strong, exceeds the limits") {
+TEST_CASE("no impulse and no push, however strong, exceeds the limits") {
 	const StemConstants stem = sample(2);
 	for (const float size : { 1e3f, 1e30f, std::nanf("") }) {
 		StemState state = standing({ 0.4f, -0.1f }, { 0.0f, 0.0f });
-		blow_on_stem(stem, state, 0.5f, { size, size, -size }, 1.0f);
+		apply_stem_impulse(stem, state, 0.5f, { size, size, -size }, 1.0f);
 		push_stem(stem, state, 0.25f, { -size, 0.0f, size }, 1.0f);
 		for (int k = 0; k < 2; k++) {
 			CHECK(glm::length(state.rate[k]) <= 1.001f * MAX_STEM_RATE * stem.mode[k].frequency);

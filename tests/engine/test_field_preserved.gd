@@ -8,7 +8,7 @@ func before_each() -> void:
 	field = _make_field()
 
 
-func test_who_was_removed_stays_so_when_the_field_is_filled_anew() -> void:
+func test_removed_plants_stay_removed_after_a_rebuild() -> void:
 	await start()
 	var count := field.get_plant_count()
 	var cut := field.remove_in_sphere(field.global_position, REACH)
@@ -25,7 +25,7 @@ func test_who_was_removed_stays_so_when_the_field_is_filled_anew() -> void:
 	check(field.get_plant_count() > count, "%d plants" % field.get_plant_count())
 
 
-func test_who_is_removed_while_it_is_filled_stays_so() -> void:
+func test_plants_removed_during_a_build_stay_removed() -> void:
 	await start()
 	field.rebuild()
 	var cut := field.remove_in_sphere(field.global_position, REACH)
@@ -51,12 +51,12 @@ func test_the_nearest_plant_and_its_species_are_found() -> void:
 	check_equal(field.find_nearest_plant(point, best * 0.9), -1, "within less")
 	check_equal(field.find_nearest_plant(point, INF), wanted, "however far")
 	check_equal(field.get_species_at(point), field.get_plant_species(wanted), "species")
-	check(field.get_species_at(Vector3(500, 0, 0)) == null, "nobody is there")
+	check(field.get_species_at(Vector3(500, 0, 0)) == null, "no plant is there")
 	field.find_nearest_plant(Vector3(NAN, 0, 0), 1.0)
 	check_error("find_nearest_plant() needs a finite point")
 
 
-func test_who_is_mown_is_so_high_and_grows_back() -> void:
+func test_mown_plants_are_shortened_and_grow_back() -> void:
 	await start()
 	var ids := field.find_plants_in_sphere(field.global_position, REACH)
 	var whole := field.get_plant_heights(ids)
@@ -90,7 +90,7 @@ func test_a_height_above_their_own_makes_plants_whole_again() -> void:
 	var whole := field.get_plant_height(id)
 	field.set_height_in_sphere(field.global_position, REACH, 0.0)
 	check(field.get_plant_height(id) < 0.05 * whole, "mown to the ground")
-	check(field.get_plant_height(id) > 0.0, "it stands")
+	check(field.get_plant_height(id) > 0.0, "it exists")
 	check(field.set_height_in_sphere(field.global_position, REACH, 50.0) > 100, "raised")
 	check_near(field.get_plant_height(id), whole, 1e-5, "height")
 	for height: float in [NAN, -0.1]:
@@ -114,7 +114,7 @@ func test_a_field_is_found_as_it_was_left() -> void:
 	field.free()
 	field = _make_field()
 	field.species = field.species + [PlantFieldSpecies.of(reed, 0.0)]
-	check(field.apply_changes(bytes), "before it stands")
+	check(field.apply_changes(bytes), "before it is built")
 	await start()
 	_check_as_left(ids, heights)
 	field.remove_in_sphere(field.global_position, 50.0)
@@ -126,7 +126,7 @@ func test_a_field_is_found_as_it_was_left() -> void:
 	check(field.get_changes() == bytes, "its changes are the same bytes")
 
 
-func test_the_usual_grass_that_was_added_is_known_before_a_field_stands() -> void:
+func test_the_default_grass_is_available_before_a_build() -> void:
 	field.free()
 	field = PlantField3D.new()
 	field.size = Vector2(6, 6)
@@ -138,7 +138,7 @@ func test_the_usual_grass_that_was_added_is_known_before_a_field_stands() -> voi
 	field.free()
 	field = PlantField3D.new()
 	field.size = Vector2(6, 6)
-	check(field.apply_changes(bytes), "before it stands")
+	check(field.apply_changes(bytes), "before it is built")
 	await start()
 	check_equal(field.get_plant_count(), count, "plants")
 
@@ -177,11 +177,11 @@ func test_bytes_that_are_not_sound_are_one_error_and_change_nothing() -> void:
 	field.free()
 	field = _make_field()
 	await start()
-	check(not field.apply_changes(bytes), "of a species that nobody knows")
+	check(not field.apply_changes(bytes), "of an unknown species")
 	check_error("plants of 'Nobody's' were added, and the field knows no such species")
 
 
-func test_changes_of_a_field_of_another_seed_are_told_of() -> void:
+func test_changes_of_a_field_of_another_seed_are_reported() -> void:
 	await start()
 	field.remove_in_sphere(field.global_position, REACH)
 	var bytes := field.get_changes()

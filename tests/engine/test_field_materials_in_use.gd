@@ -23,11 +23,11 @@ func test_a_colour_of_a_plain_material_is_seen() -> void:
 	var material := StandardMaterial3D.new()
 	material.albedo_color = Color.RED
 	_field.species[0].species.material = material
-	await _looked()
+	await _seen_materials()
 	var ids := _field.get_plant_ids()
 	_check_colour(await picture(), Color.RED, "red")
 	material.albedo_color = Color.BLUE
-	await _looked()
+	await _seen_materials()
 	_check_colour(await picture(), Color.BLUE, "blue")
 	check_equal(_field.get_plant_ids(), ids, "plants")
 
@@ -36,27 +36,27 @@ func test_a_parameter_of_ones_own_shader_is_seen() -> void:
 	var material := _own_material()
 	_field.species[0].species.material = material
 	material.set_shader_parameter("tint", Color.RED)
-	await _looked()
+	await _seen_materials()
 	_check_colour(await picture(), Color.RED, "red")
 	material.set_shader_parameter("tint", Color.BLUE)
-	await _looked()
+	await _seen_materials()
 	_check_colour(await picture(), Color.BLUE, "blue")
 	var other := _own_material()
 	other.set_shader_parameter("tint", Color.GREEN)
 	_field.species[0].species.material = other
-	await _looked()
+	await _seen_materials()
 	_check_colour(await picture(), Color.GREEN, "green of another material")
 
 
-func test_a_material_override_is_worn_and_taken_off() -> void:
+func test_a_material_override_is_applied_and_removed() -> void:
 	var before := await picture()
 	var material := _own_material()
 	material.set_shader_parameter("tint", Color.BLUE)
 	_field.material_override = material
-	await _looked()
+	await _seen_materials()
 	_check_colour(await picture(), Color.BLUE, "blue")
 	_field.material_override = null
-	await _looked()
+	await _seen_materials()
 	check_equal(count_different(before, await picture()), 0, "pixels once it is off")
 
 
@@ -74,7 +74,7 @@ func test_materials_of_skeletons_are_those_of_now() -> void:
 	_check_colour(await picture(), Color.BLUE, "blue")
 
 
-func test_a_material_that_is_chosen_while_a_field_is_refilled_is_worn_then() -> void:
+func test_a_material_set_during_a_rebuild_is_applied_after_it() -> void:
 	_field.size = Vector2(40, 40)
 	_field.tile_size = 2.0  # So that the preparation takes several frames.
 	await _field.build_finished
@@ -90,11 +90,11 @@ func test_a_material_that_is_chosen_while_a_field_is_refilled_is_worn_then() -> 
 				(material as ShaderMaterial).set_shader_parameter("tint", colour)
 			_field.species[0].species.material = material
 			await process_frame
-		await _looked()
+		await _seen_materials()
 		_check_colour(await picture(), colour, "the last one")
 
 
-func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
+func test_species_that_change_in_every_frame_of_a_build() -> void:
 	_field.size = Vector2(24, 24)
 	_field.species.append(PlantFieldSpecies.of(TulipFunction.new()))
 	for entry in _field.species:
@@ -116,7 +116,7 @@ func test_species_that_change_in_every_frame_while_a_field_fills() -> void:
 
 
 ## Waits until a field has polled the materials of its species.
-func _looked() -> void:
+func _seen_materials() -> void:
 	await frames(20)
 	await settled(_field)
 
