@@ -204,8 +204,9 @@ void FieldRuntime::poll_all(double delta, bool physics) {
 		retired.clear();
 		retired_materials.clear();
 	}
-	poll_tiles(physics);
-	if (!physics) {
+	if (physics || phase() != Phase::joining) { // Each of both uses the budget of a frame.
+		poll_tiles(physics);
+	} else {
 		poll_join();
 	}
 	poll_parts(physics ? DirtyTiles::Moment::physics : DirtyTiles::Moment::begun, delta);

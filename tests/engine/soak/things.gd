@@ -193,7 +193,7 @@ func play_with_map() -> void:
 ## Calls a method of a species.
 func query_function() -> void:
 	var methods := ClassDB.class_get_method_list(&"PlantFunction", true)
-	ask(pick(_functions), pick(methods.filter(_is_no_setter)))
+	query(pick(_functions), pick(methods.filter(_is_no_setter)))
 
 
 ## Calls a method of the simulation, or changes its step.
@@ -203,7 +203,7 @@ func query_simulation() -> void:
 		simulation.set(&"step_length", pick([0.001, 0.1, 1.0 / 60.0, NAN]))
 	else:
 		var methods := ClassDB.class_get_method_list(&"PlantSimulation", true)
-		ask(simulation, pick(methods.filter(_is_no_setter)))
+		query(simulation, pick(methods.filter(_is_no_setter)))
 
 
 ## Stores saved [param bytes], which are damaged and loaded later.

@@ -32,7 +32,11 @@ void PlantFieldSpecies::report_change(ChangeKind kind, bool from_species) {
 void PlantFieldSpecies::on_species_changed() {
 	const Ref<PlantFieldSpecies> alive(this); // Listeners may release the last reference.
 	update_auto_name(this, auto_name, name_of_species(species));
-	report_change(species->is_motion_change() ? CHANGE_MOTION : CHANGE_APPEARANCE, true);
+	if (species.is_null()) { // The library was reloaded, and the engine has not restored the function yet.
+		report_change(CHANGE_PLACEMENT, false);
+	} else {
+		report_change(species->is_motion_change() ? CHANGE_MOTION : CHANGE_APPEARANCE, true);
+	}
 }
 
 template <class Value> void PlantFieldSpecies::set(Value &slot, const Value &value, ChangeKind kind) {
