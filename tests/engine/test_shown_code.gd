@@ -136,6 +136,7 @@ func _show(block: ShownCode.Block, script: GDScript) -> void:
 		var waited := 0
 		while not shown.get(&"is_over") and waited < PATIENCE:
 			waited += 1
+			OS.delay_msec(1)  # Headless frames are short, and worker threads need the processors.
 			await process_frame
 		check(shown.get(&"is_over") == true, block.place + " does not come to its end")
 	await frames(SHOWN_FRAMES)
