@@ -92,6 +92,29 @@ func count_different(one: Image, other: Image) -> int:
 	return count
 
 
+## Returns the maximum value of all channels.
+func brightest_of(shown: Image) -> float:
+	var maximum := 0.0
+	for y in shown.get_height():
+		for x in shown.get_width():
+			var color := shown.get_pixel(x, y)
+			maximum = maxf(maximum, maxf(color.r, maxf(color.g, color.b)))
+	return maximum
+
+
+## Returns the number of pixels with NaN, with a negative value, or brighter than [param maximum].
+func count_wrong(shown: Image, maximum: float) -> int:
+	var count := 0
+	for y in shown.get_height():
+		for x in shown.get_width():
+			var color := shown.get_pixel(x, y)
+			for channel: float in [color.r, color.g, color.b]:
+				if not (channel >= 0.0 and channel <= maximum):
+					count += 1
+					break
+	return count
+
+
 func _add_light() -> void:
 	var camera := Camera3D.new()
 	stage.add_child(camera)

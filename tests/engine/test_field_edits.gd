@@ -1,7 +1,7 @@
 ## Edits of lists and paths by scripts and tools in a built field.
 extends "res://tests/engine/field_harness.gd"
 
-const STYLE := 10  # Frames between two polls of objects without a change signal.
+const POLLING_FRAMES := 10  # Frames between two polls of objects without a change signal.
 
 
 func before_each() -> void:
@@ -14,7 +14,7 @@ func test_a_species_that_is_appended_grows() -> void:
 	await start()
 	var grass := PlantFieldSpecies.of(GrassFunction.new(), 5.0)
 	field.species.append(grass)
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	var count := 0
 	for id in field.get_plant_ids():
@@ -30,7 +30,7 @@ func test_a_level_that_is_appended_is_drawn() -> void:
 	field.levels = [PlantFieldLevel.of(12, 4.0)]
 	await start()
 	field.levels.append(PlantFieldLevel.of(3))
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check_equal(field.get_statistics()["drawn_by_level"].size(), 2, "levels")
 	check(not field.is_building(), "nothing is rebuilt")
@@ -39,7 +39,7 @@ func test_a_level_that_is_appended_is_drawn() -> void:
 func test_an_exclusion_that_is_appended_is_kept_free() -> void:
 	await start()
 	field.exclusions.append(_add_square("Pond"))
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check_equal(_count_near(Vector2.ZERO, 2.0), 0, "plants in the pond")
 
@@ -50,7 +50,7 @@ func test_dragged_points_and_moves_of_an_exclusion_are_applied() -> void:
 	var pond := field.get_node("Pond") as Path3D
 	check_equal(_count_near(Vector2.ZERO, 2.0), 0, "plants in the pond")
 	pond.position = Vector3(6, 0, 0)
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check(_count_near(Vector2.ZERO, 2.0) > 20, "plants where the pond was")
 	check_equal(_count_near(Vector2(6, 0), 2.0), 0, "plants where it is")
@@ -67,7 +67,7 @@ func test_dragged_points_and_moves_of_an_outline_are_applied() -> void:
 	var lawn := field.get_node("Lawn") as Path3D
 	lawn.rotation.y = PI / 4.0
 	lawn.position.z = 20.0
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check_near(field.get_plant_count(), 4 * 36, 30.0, "plants of the turned outline")
 	check_equal(_count_near(Vector2(0, 20), 8.0), field.get_plant_count(), "plants around it")
@@ -81,7 +81,7 @@ func test_an_outline_that_was_replaced_is_no_longer_followed() -> void:
 	await start()
 	field.outline = _add_square("Meadow")
 	await filled(field)
-	await frames(2 * STYLE)
+	await frames(2 * POLLING_FRAMES)
 	var lawn := field.get_node("Lawn") as Path3D
 	lawn.curve.set_point_position(0, Vector3(-9, 0, -9))
 	await frames(1)
@@ -102,11 +102,11 @@ func test_another_field_that_is_excluded_is_followed() -> void:
 	await filled(field)
 	check_equal(_count_near(Vector2.ZERO, 2.0), 0, "plants in the other field")
 	path.size = Vector2(12, 12)
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check_equal(_count_near(Vector2.ZERO, 5.5), 0, "plants in the larger field")
 	path.position.x = 30.0
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check(_count_near(Vector2.ZERO, 5.5) > 100, "plants where the other field was")
 	path.free()
@@ -129,7 +129,7 @@ func test_the_outline_of_another_field_that_is_excluded_is_followed() -> void:
 	check_equal(_count_near(Vector2.ZERO, 2.5), 0, "plants within the outline")
 	for i in 4:
 		outline.curve.set_point_position(i, corners[i] * 2.0)
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	check_equal(_count_near(Vector2.ZERO, 5.5), 0, "plants within the larger outline")
 	other.free()

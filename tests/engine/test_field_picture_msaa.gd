@@ -25,12 +25,12 @@ func test_a_lawn_has_no_brighter_pixels_with_msaa() -> void:
 	var camera := stage.get_camera_3d()
 	camera.look_at_from_position(Vector3(0, 1.7, 8.0), Vector3.ZERO)
 	var plain := await picture()
-	var brightest := _brightest(plain)
+	var brightest := brightest_of(plain)
 	check(brightest > 0.1 and brightest < 4.0, "the lawn is lit, by at most %.2f" % brightest)
-	check_equal(_count_wrong(plain, brightest), 0, "wrong pixels without MSAA")
+	check_equal(count_wrong(plain, brightest), 0, "wrong pixels without MSAA")
 	for msaa: Viewport.MSAA in [Viewport.MSAA_4X, Viewport.MSAA_8X]:
 		stage.msaa_3d = msaa
-		var wrong := _count_wrong(await picture(), TOLERANCE_OF_LIGHT * brightest)
+		var wrong := count_wrong(await picture(), TOLERANCE_OF_LIGHT * brightest)
 		check_equal(wrong, 0, "wrong pixels with MSAA %d" % msaa)
 
 
@@ -39,26 +39,3 @@ func _turn_on_glow() -> void:
 	var environment := (found[0] as WorldEnvironment).environment
 	environment.glow_enabled = true
 	environment.glow_hdr_threshold = 1.0
-
-
-## Returns the maximum value of all channels.
-func _brightest(shown: Image) -> float:
-	var maximum := 0.0
-	for y in SIZE.y:
-		for x in SIZE.x:
-			var color := shown.get_pixel(x, y)
-			maximum = maxf(maximum, maxf(color.r, maxf(color.g, color.b)))
-	return maximum
-
-
-## Returns the number of pixels with NaN, with a negative value, or brighter than [param most].
-func _count_wrong(shown: Image, maximum: float) -> int:
-	var count := 0
-	for y in SIZE.y:
-		for x in SIZE.x:
-			var color := shown.get_pixel(x, y)
-			for channel: float in [color.r, color.g, color.b]:
-				if not (channel >= 0.0 and channel <= maximum):
-					count += 1
-					break
-	return count

@@ -1,7 +1,7 @@
 ## Paths with a width: roads without plants, and beds with plants.
 extends "res://tests/engine/field_harness.gd"
 
-const STYLE := 10  # Frames between two polls of movement without a signal.
+const POLLING_FRAMES := 10  # Frames between two polls of movement without a signal.
 const WIDTH := 2.4
 const RING: Array[Vector3] = [
 	Vector3(-8, 0, -8), Vector3(8, 0, -8), Vector3(8, 0, 8), Vector3(-8, 0, 8), Vector3(-8, 0, -8)
@@ -100,7 +100,7 @@ func test_a_road_that_is_dragged_is_followed_where_it_goes() -> void:
 	check(reported[1] > 0, "it reports that all exists")
 	road.position.x = 1.5
 	field.exclusion_widths = [WIDTH + 1.0]
-	await frames(STYLE)
+	await frames(POLLING_FRAMES)
 	await rested()
 	for place in _places():
 		var away := _away(place - Vector3(1.5, 0, 0), points)

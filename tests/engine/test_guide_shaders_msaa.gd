@@ -56,13 +56,13 @@ func test_shaders_of_the_guide_have_no_wrong_pixels_with_msaa() -> void:
 
 func _check_antialiased(place: String) -> void:
 	stage.msaa_3d = Viewport.MSAA_DISABLED
-	var brightest := _brightest(await picture())
+	var brightest := brightest_of(await picture())
 	check(brightest > 0.05 and brightest < 4.0, "%s is lit, by at most %.2f" % [place, brightest])
 	stage.msaa_3d = Viewport.MSAA_4X
 	var shown := await picture()
-	var wrong := _count_wrong(shown, TOLERANCE_OF_LIGHT * brightest)
+	var wrong := count_wrong(shown, TOLERANCE_OF_LIGHT * brightest)
 	check_equal(
-		wrong, 0, "wrong pixels of %s, of %.2f and %.2f" % [place, _brightest(shown), brightest]
+		wrong, 0, "wrong pixels of %s, of %.2f and %.2f" % [place, brightest_of(shown), brightest]
 	)
 
 
@@ -79,26 +79,3 @@ func _shaders() -> Array:
 					blocks.append(block)
 			break
 	return blocks
-
-
-## Returns the maximum value of all channels.
-func _brightest(shown: Image) -> float:
-	var maximum := 0.0
-	for y in SIZE.y:
-		for x in SIZE.x:
-			var color := shown.get_pixel(x, y)
-			maximum = maxf(maximum, maxf(color.r, maxf(color.g, color.b)))
-	return maximum
-
-
-## Returns the number of pixels with NaN, with a negative value, or brighter than [param maximum].
-func _count_wrong(shown: Image, maximum: float) -> int:
-	var count := 0
-	for y in SIZE.y:
-		for x in SIZE.x:
-			var color := shown.get_pixel(x, y)
-			for channel: float in [color.r, color.g, color.b]:
-				if not (channel >= 0.0 and channel <= maximum):
-					count += 1
-					break
-	return count
