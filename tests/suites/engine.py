@@ -41,6 +41,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
+         "field_picture_cards": ["gl_compatibility", "forward_plus"],
          "field_picture_light": ["gl_compatibility", "forward_plus"],
          "field_picture_msaa": ["forward_plus"],
          "field_picture_near": ["gl_compatibility", "forward_plus"],

@@ -90,6 +90,12 @@ PartAttachment DrawnAttachments::attachment_at(
 	return attachment;
 }
 
+PartAttachment DrawnAttachments::attachment_on(size_t carrier, float offset, glm::vec3 &place) const {
+	const DrawnPart drawn(form, plan, static_cast<int>(carrier), shifts[carrier]);
+	place = drawn.point_at(offset);
+	return attachment_at(attachments[carrier], drawn, std::min(offset, 1.0f));
+}
+
 void DrawnAttachments::place_rings(FormBody &body) const {
 	const size_t first = static_cast<size_t>(body.first);
 	const PlacedPart &part = form.placed[first];

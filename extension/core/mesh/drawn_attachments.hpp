@@ -41,6 +41,8 @@ public:
 	const PartAttachment &attachment_of(size_t part) const { return attachments[part]; }
 	/// From a part's grown position to its drawn one (m).
 	const glm::vec3 &shift_of(size_t part) const { return shifts[part]; }
+	/// Returns the attachment of a point on a drawn carrier, and its position (m).
+	PartAttachment attachment_on(size_t carrier, float offset, glm::vec3 &place) const;
 	/// Places the rings of a body on its carrier.
 	void place_rings(FormBody &body) const;
 

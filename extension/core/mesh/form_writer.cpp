@@ -86,6 +86,23 @@ void FormWriter::add_part(const PlacedPart &part, const PartAttachment &attachme
 	}
 }
 
+void FormWriter::add_strip(const CardStrip &strip) {
+	const int first = vertices;
+	for (const CardStrip::Row &row : strip.rows) {
+		const PartAttachment &attachment = row.attachment;
+		const float brightness = 1.0f + BRIGHTNESS_SHARE * color_deviation * strip.tint;
+		const Common common = { attachment, attachment.code, strip.leafiness, card_code(strip.layer, strip.turn),
+			brightness };
+		put(common, row.middle, row.left, row.normal, row.along, strip.color, row.left_uv, row.offset);
+		put(common, row.middle, row.right, row.normal, row.along, strip.color, row.right_uv, row.offset);
+	}
+	for (int row = first; row + 2 < vertices; row += 2) { // Clockwise from the side of the normal.
+		for (const int corner : { 1, 3, 2, 1, 2, 0 }) {
+			put_index(row + corner);
+		}
+	}
+}
+
 void FormWriter::widen(const Mark &begin, float shown, float near_share) {
 	float twice = 0.0f;
 	for (int i = begin.index; i < indices; i += 3) {

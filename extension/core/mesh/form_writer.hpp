@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh/card_strip.hpp"
 #include "mesh/form_body.hpp"
 #include "mesh/form_bones.hpp"
 #include "mesh/part_attachment.hpp"
@@ -18,6 +19,7 @@ public:
 	void add_part(const PlacedPart &part, const PartAttachment &attachment, const PartTemplate &shape);
 	/// The rings must have positions from DrawnAttachments.
 	void add_body(const FormBody &body);
+	void add_strip(const CardStrip &strip);
 
 	/// Present size of the mesh.
 	struct Mark {

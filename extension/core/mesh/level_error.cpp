@@ -1,5 +1,8 @@
 #include "mesh/level_error.hpp"
 
+#include "mesh/card_strip.hpp"
+
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include <algorithm>
@@ -76,6 +79,34 @@ public:
 		}
 	}
 
+	/// The same for the dots whose place in the texture, from those of the corners, is covered.
+	template <class Covers>
+	void draw_card(const glm::vec2 (&corners)[3], const glm::vec2 (&uvs)[3], const Covers &covers) {
+		const glm::vec2 one = corners[1] - corners[0];
+		const glm::vec2 other = corners[2] - corners[0];
+		const float twice = one.x * other.y - other.x * one.y;
+		if (twice == 0.0f) {
+			return;
+		}
+		const auto low = [&](float a, float b, float c) { return first_beyond(std::min({ a, b, c })); };
+		const auto high = [&](float a, float b, float c) { return first_beyond(std::max({ a, b, c })); };
+		const int last_row = std::min(rows, high(corners[0].y, corners[1].y, corners[2].y));
+		const int last_column = std::min(columns, high(corners[0].x, corners[1].x, corners[2].x));
+		const int first_column = std::max(0, low(corners[0].x, corners[1].x, corners[2].x));
+		for (int row = std::max(0, low(corners[0].y, corners[1].y, corners[2].y)); row < last_row; row++) {
+			for (int column = first_column; column < last_column; column++) {
+				const glm::vec2 from =
+						glm::vec2(static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f) - corners[0];
+				const float b = (from.x * other.y - other.x * from.y) / twice;
+				const float c = (one.x * from.y - from.x * one.y) / twice;
+				if (b >= 0.0f && c >= 0.0f && b + c <= 1.0f &&
+						covers(uvs[0] + (uvs[1] - uvs[0]) * b + (uvs[2] - uvs[0]) * c)) {
+					mark(column, row);
+				}
+			}
+		}
+	}
+
 	/// Replaces each dot by its distance to the nearest marked one.
 	void find_distances() {
 		for (int row = 0; row < rows; row++) {
@@ -132,6 +163,61 @@ private:
 		}
 	}
 };
+
+int code_of(const SeenCards &cards, int32_t vertex) {
+	return static_cast<int>(cards.custom0[vertex].z) - FIRST_CARD_CODE;
+}
+
+/// Positions with all cards turned to a view, as shaders turn them.
+std::vector<glm::vec3> turned_to(const SeenMesh &mesh, const SeenCards &cards, const Direction &way) {
+	constexpr float LOWEST_CAP = 0.35f; // Sines of the height of the camera: caps grow from here on,
+	constexpr float WHOLE_CAP = 0.6f; // up to here. undergrowth_card.gdshaderinc has the same.
+	const glm::vec3 eye = glm::cross(way.across, way.up);
+	std::vector<glm::vec3> points(mesh.positions, mesh.positions + mesh.vertex_count);
+	for (int i = 0; i < mesh.vertex_count; i++) {
+		const int code = code_of(cards, i);
+		if (code < 0 || code % CARD_CODES == static_cast<int>(CardTurn::fixed)) {
+			continue;
+		}
+		const glm::vec3 aside(cards.custom2[i]);
+		const glm::vec3 &axis = cards.normals[i];
+		const glm::vec3 middle = points[static_cast<size_t>(i)] - aside;
+		if (code % CARD_CODES == static_cast<int>(CardTurn::cap)) {
+			const float t = std::clamp((glm::dot(axis, eye) - LOWEST_CAP) / (WHOLE_CAP - LOWEST_CAP), 0.0f, 1.0f);
+			points[static_cast<size_t>(i)] = middle + aside * (t * t * (3.0f - 2.0f * t));
+			continue;
+		}
+		const float along = glm::dot(aside, axis);
+		const float across = glm::length(aside - axis * along) * (cards.uvs[i].x < 0.5f ? -1.0f : 1.0f);
+		const glm::vec3 beside = glm::cross(eye, axis);
+		const glm::vec3 side = beside / std::max(glm::length(beside), 1e-6f);
+		points[static_cast<size_t>(i)] = middle + side * across + glm::cross(side, eye) * along;
+	}
+	return points;
+}
+
+bool covers(const SeenCards &cards, int layer, const glm::vec2 &uv) {
+	const int x = std::clamp(static_cast<int>(uv.x * static_cast<float>(cards.width)), 0, cards.width - 1);
+	const int y = std::clamp(static_cast<int>(uv.y * static_cast<float>(cards.height)), 0, cards.height - 1);
+	return cards.layers[static_cast<size_t>(layer)][4 * (y * cards.width + x) + 3] >= 128;
+}
+
+void draw_cards(const SeenMesh &mesh, const SeenCards &cards, const std::vector<glm::vec2> &flat,
+		const glm::vec2 &corner, float dot, Picture &into) {
+	for (int i = 0; i + 2 < mesh.index_count; i += 3) {
+		glm::vec2 corners[3], uvs[3];
+		for (int k = 0; k < 3; k++) {
+			corners[k] = (flat[static_cast<size_t>(mesh.indices[i + k])] - corner) / dot;
+			uvs[k] = cards.uvs[mesh.indices[i + k]];
+		}
+		const int code = code_of(cards, mesh.indices[i]);
+		if (code < 0) {
+			into.draw(corners[0], corners[1], corners[2]);
+		} else {
+			into.draw_card(corners, uvs, [&](const glm::vec2 &uv) { return covers(cards, code / CARD_CODES, uv); });
+		}
+	}
+}
 
 void draw_mesh(
 		const SeenMesh &mesh, const std::vector<glm::vec2> &flat, const glm::vec2 &corner, float dot, Picture &into) {
@@ -208,6 +294,14 @@ LevelError::LevelError(const SeenMesh &whole) {
 }
 
 float LevelError::of(const SeenMesh &level) const {
+	return measure(level, nullptr);
+}
+
+float LevelError::of(const SeenMesh &level, const SeenCards &cards) const {
+	return measure(level, &cards);
+}
+
+float LevelError::measure(const SeenMesh &level, const SeenCards *cards) const {
 	if (views.empty()) {
 		return 0.0f;
 	}
@@ -215,7 +309,13 @@ float LevelError::of(const SeenMesh &level) const {
 	for (size_t i = 0; i < views.size(); i++) {
 		const View &view = views[i];
 		Picture picture(view.columns, view.rows);
-		draw_mesh(level, project(level, DIRECTIONS[i]), { view.left, view.low }, dot_size, picture);
+		if (cards) {
+			const std::vector<glm::vec3> points = turned_to(level, *cards, DIRECTIONS[i]);
+			const SeenMesh turned = { points.data(), level.vertex_count, level.indices, level.index_count };
+			draw_cards(turned, *cards, project(turned, DIRECTIONS[i]), { view.left, view.low }, dot_size, picture);
+		} else {
+			draw_mesh(level, project(level, DIRECTIONS[i]), { view.left, view.low }, dot_size, picture);
+		}
 		picture.find_distances();
 		count(picture.values(), view.away, view.columns, weights);
 		count(view.away, picture.values(), view.columns, weights);

@@ -2,9 +2,23 @@
 
 #include "mesh/silhouette.hpp"
 
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
 #include <vector>
 
 namespace undergrowth {
+
+/// What the outline of a mesh with cards depends on besides its triangles; see mesh/vertex_format.hpp.
+struct SeenCards {
+	const glm::vec3 *normals = nullptr; ///< By vertex, as the following ones.
+	const glm::vec2 *uvs = nullptr;
+	const glm::vec4 *custom0 = nullptr;
+	const glm::vec4 *custom2 = nullptr;
+	int width = 0; ///< Texels of each layer.
+	int height = 0;
+	std::vector<const uint8_t *> layers; ///< RGBA8; a: coverage. From the tip to the base.
+};
 
 /// The outlines of a plant from several directions, for the comparison with its levels of detail. The same bytes on
 /// all platforms.
@@ -17,6 +31,8 @@ public:
 	/// other mesh. All heights count the same, because flowers above the leaves are few dots but seen first. At least
 	/// half a dot. 0 for an empty plant; the level needs the same axes.
 	float of(const SeenMesh &level) const;
+	/// The same for a level with cards, turned to each view.
+	float of(const SeenMesh &level, const SeenCards &cards) const;
 	/// Size of a dot (m). Smaller errors are not measured.
 	float dot() const { return dot_size; }
 
@@ -32,6 +48,8 @@ private:
 
 	std::vector<View> views;
 	float dot_size = 0.0f;
+
+	float measure(const SeenMesh &level, const SeenCards *cards) const;
 };
 
 } // namespace undergrowth

@@ -27,9 +27,10 @@ namespace undergrowth {
 //              attachment, 1 at the tip. 0 on stems and on bodies of many parts. Parts on a swinging part have the
 //              weight of their attachment. A head (all short parts on and around a stem's tip) has 1 everywhere.
 //           z: rank, 0 to 0.999: the part is drawn if its rank is below the fraction of parts at a distance. Ranks are
-//           in
-//              golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
-//              Its whole part is the venation: 0 none, 1 parallel, 2 pinnate, 3 palmate, 4 radial.
+//              in golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
+//              Its whole part is the venation: 0 none, 1 parallel, 2 pinnate, 3 palmate, 4 radial. From 8 on the vertex
+//              belongs to a card: 8 + 4·layer + turn (mesh/card_strip.hpp), turn: 0 fixed, 1 turned to the camera, 2
+//              drawn only from above.
 //           w: leafiness, 0 to 1: transmitted fraction of the light from behind.
 // CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
 //           of that swing, PartMotionCode::pace (plant/part_motion.hpp).
@@ -46,6 +47,11 @@ namespace undergrowth {
 // BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. In skeletons with bones of parts, those get
 //           the fraction of the own bend weight (mesh/form_bones.hpp). If stems have joints, their bones get the
 //           weights of root and tip (mesh/joint_binding.hpp).
+//
+// Cards (card/card_sheet.hpp) have the attributes of the parts that they replace. UV is the place in the layer. COLOR
+// is the mean of these parts; the layer contains the colour relative to it. CUSTOM2.xyz of turned cards is written for
+// one direction of view: shaders keep its length along NORMAL and across it. NORMAL of cards with turn 1 and 2 is the
+// axis of the card, which bends like any normal.
 //
 // A swing precedes the stem's bend. A point of weight y turns about the pivot by y times the tip's angle. It also moves
 // nearer to the pivot, by the amount that turns a straight blade into an arc of its own length. The tangent turns twice

@@ -154,6 +154,12 @@ void FieldRuntime::change_materials() {
 	}
 }
 
+bool FieldRuntime::needs_other_cards() const {
+	return std::any_of(setup.styles.begin(), setup.styles.end(), [this](const SpeciesStyle &style) {
+		return style.function.is_valid() && style.has_other_cards(node->get_material_override());
+	});
+}
+
 ChangeSet FieldRuntime::apply(StoreEdit &&edit, ArrivingChunks *arriving) {
 	if (edit.removed.empty() && edit.added.empty() && edit.grown.empty() && edit.arriving.empty() &&
 			edit.left_tiles.empty()) {

@@ -24,11 +24,13 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 		PackedInt32Array segments;
 		PackedFloat32Array ends;
 		PackedFloat32Array errors;
+		PackedByteArray are_carded;
 		for (size_t i = 0; i < style.levels.size(); i++) {
 			if (style.levels[i].is_used) {
 				segments.push_back(style.segments_at(style.levels[i]));
 				ends.push_back(style.levels[i].end);
 				errors.push_back(i < style.errors.size() ? style.errors[i] : 0.0f);
+				are_carded.push_back(style.is_carded(i) ? 1 : 0);
 			}
 		}
 		Dictionary one;
@@ -36,6 +38,7 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 		one["segments"] = segments;
 		one["ends"] = ends;
 		one["errors"] = errors;
+		one["are_carded"] = are_carded;
 		listed.push_back(one);
 	}
 	return listed;

@@ -1,5 +1,6 @@
 #include "form/form_arrays.hpp"
 
+#include "form/shared_cards.hpp"
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
 #include "plants/part_skeleton.hpp"
@@ -107,24 +108,38 @@ static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) 
 }
 
 MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
-	FormPlan plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
-	if (sampled.stem) {
-		divide_carriers(grown.form, sampled.stem->joints, plan);
+	const int rows = sampled.stem ? sampled.stem->joints : 0;
+	CardPlan cards;
+	if (sampled.cards) {
+		const CardSheet &sheet = sampled.cards->sheet();
+		cards = plan_cards(grown.card_form(sheet), sheet, vertex_budget(sampled.lod), rows);
 	}
-	FormArrays arrays(plan.counts);
+	FormPlan plan;
+	if (cards.is_empty()) {
+		plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
+		divide_carriers(grown.form, rows, plan);
+	}
+	const MeshCounts counts = cards.is_empty() ? plan.counts : cards.counts;
+	FormArrays arrays(counts);
 	const FormBones none;
-	build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
-			sampled.height, arrays.buffers());
+	if (cards.is_empty()) {
+		build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
+				sampled.height, arrays.buffers());
+	} else {
+		build_card_mesh(grown.card_form(sampled.cards->sheet()), cards, none, sampled.options, sampled.height,
+				arrays.buffers());
+	}
 	if (above) {
 		*above = from_above(grown.measure(), arrays);
+		above->y = cards.is_empty() ? above->y : above->x; // The quads of cards are mostly holes.
 	}
 	if (sampled.stem) {
-		bind_to_joints(sampled.stem->joints, plan.counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),
+		bind_to_joints(sampled.stem->joints, counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),
 				arrays.weights.ptrw());
 	}
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
-	return { all, CUSTOM_FORMAT, sampled.material, true };
+	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty() };
 }
 
 } // namespace undergrowth

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "card/card_form.hpp"
 #include "form/plant_form.hpp"
 #include "mesh/form_bones.hpp"
 #include "mesh/form_measure.hpp"
@@ -26,19 +27,28 @@ public:
 		return measured;
 	}
 
+	/// The same plant with cards, made at the first call. `sheet`: the one of its species. Any thread.
+	const CardForm &card_form(const CardSheet &sheet) const {
+		std::call_once(has_card_form, [this, &sheet] { with_cards = make_card_form(form, sheet); });
+		return with_cards;
+	}
+
 	/// Returns the error of the outline at a level with `segments` (m). `measure` runs once for each number of
-	/// segments. Any thread.
-	float level_error(int segments, const std::function<float()> &measure) const {
+	/// segments, with and without cards. Any thread.
+	float level_error(int segments, bool has_cards, const std::function<float()> &measure) const {
 		const std::lock_guard<std::mutex> lock(measuring);
-		const auto known = level_errors.find(segments);
-		return known != level_errors.end() ? known->second : level_errors.emplace(segments, measure()).first->second;
+		const std::pair<int, bool> level(segments, has_cards);
+		const auto known = level_errors.find(level);
+		return known != level_errors.end() ? known->second : level_errors.emplace(level, measure()).first->second;
 	}
 
 private:
 	mutable std::mutex measuring;
-	mutable std::map<int, float> level_errors; ///< m, by segments.
+	mutable std::map<std::pair<int, bool>, float> level_errors; ///< m, by segments, with and without cards.
 	mutable std::once_flag is_measured;
 	mutable FormMeasure measured;
+	mutable std::once_flag has_card_form;
+	mutable CardForm with_cards;
 };
 
 } // namespace undergrowth

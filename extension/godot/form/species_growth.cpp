@@ -29,6 +29,23 @@ String SpeciesGrowth::sample(PlantFunction &species, double height, int segments
 	return height == 0.0 ? String() : find_height_problem(height);
 }
 
+// The pictures of all fields show the plant of this seed.
+static constexpr int64_t CARD_SEED = 1;
+
+std::shared_ptr<SharedCards> SpeciesGrowth::cards(PlantFunction &species) {
+	const int64_t state = state_of_script(&species);
+	if (shared_cards && state_of_cards == state) {
+		return shared_cards;
+	}
+	std::shared_ptr<const GrownPlant> grown = grown_before.find(CARD_SEED, state);
+	if (!grown && !grow(species, CARD_SEED, grown).is_empty()) {
+		return nullptr;
+	}
+	shared_cards = std::make_shared<SharedCards>(grown);
+	state_of_cards = state;
+	return shared_cards;
+}
+
 String SpeciesGrowth::grow(PlantFunction &species, int64_t seed, std::shared_ptr<const GrownPlant> &grown) {
 	SampledPlant sampled;
 	String problem = sample_height(species, 0.0, seed, sampled);

@@ -172,7 +172,7 @@ void PlantField3D::poll_dependencies() {
 		changed(About::levels);
 	}
 	if (found.material) {
-		runtime.change_materials();
+		change_materials();
 	}
 	if (species.differs()) {
 		species.follow();

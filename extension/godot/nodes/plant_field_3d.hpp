@@ -92,6 +92,7 @@ private:
 	void process_frame();
 	void poll_dependencies();
 	void update_style(const godot::Ref<PlantFunction> &function);
+	void change_materials();
 	void report_bodies();
 	void report_skeleton(godot::Skeleton3D *skeleton, bool is_shown);
 

@@ -73,12 +73,20 @@ PackedVector3Array PlantField3D::get_exclusion_points(int index) const {
 	return points_of(polygon);
 }
 
+void PlantField3D::change_materials() {
+	if (runtime.needs_other_cards()) {
+		dirty.mark_style();
+	} else {
+		runtime.change_materials();
+	}
+}
+
 // Applies the change of a species' function.
 void PlantField3D::update_style(const Ref<PlantFunction> &function) {
 	if (function->is_motion_change()) {
 		runtime.read_motion(function.ptr(), !may_simulate());
 	} else if (function->is_material_change()) {
-		runtime.change_materials();
+		change_materials();
 	} else {
 		dirty.mark_style();
 	}

@@ -16,6 +16,7 @@
 namespace undergrowth {
 
 class GrownPlant;
+class SharedCards;
 
 /// All data of a plant's mesh in the engine.
 struct MeshArrays {
@@ -23,6 +24,7 @@ struct MeshArrays {
 	int64_t format = 0; ///< Of the custom arrays.
 	godot::Ref<godot::Material> material; ///< Null: the add-on's material.
 	bool has_parts = false;
+	bool has_cards = false;
 
 	/// Largest distance from the axis (m), deviations included.
 	float width() const;
@@ -45,6 +47,9 @@ struct SampledPlant {
 	/// Rest bend of a plant of parts on a skeleton, in its own axes (motion/bend_encoding.hpp).
 	glm::vec2 rest = { 0.0f, 0.0f };
 	std::shared_ptr<const GrownPlant> grown; ///< For a plant of parts; cross-section, widths and colors are empty then.
+
+	/// Cards replace the small parts of a plant of parts, if they are not null and its level has room for them.
+	std::shared_ptr<SharedCards> cards;
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;

@@ -1,5 +1,7 @@
 #include "species/shared_mesh.hpp"
 
+#include "form/shared_cards.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -41,7 +43,7 @@ static auto traits_of(const SampledPlant &plant) {
 	const MeshOptions &options = plant.options;
 	return std::make_tuple(plant.height, plant.lod, options.shading, options.shape_deviation, options.color_deviation,
 			options.seed, plant.material.ptr(), plant.has_part_bones, plant.stem.get(), plant.rest.x, plant.rest.y,
-			plant.grown.get(), plant.cross_section.points.size());
+			plant.grown.get(), plant.cards.get(), plant.cross_section.points.size());
 }
 
 static bool are_equal(const SampledPlant &one, const SampledPlant &other) {
@@ -56,6 +58,7 @@ static size_t hash_of(const SampledPlant &plant) {
 	add(size_t(plant.lod));
 	add(size_t(plant.options.seed));
 	add(std::hash<const void *>()(plant.grown.get()));
+	add(std::hash<const void *>()(plant.cards.get()));
 	for (const float width : plant.widths) {
 		add(std::hash<float>()(width));
 	}
@@ -96,6 +99,7 @@ void SharedMesh::build_locked() {
 	if (!is_built) {
 		arrays = plant.build_arrays(&built_from_above);
 		built_width = arrays.width();
+		built_has_cards = arrays.has_cards;
 		is_built = true;
 	}
 }
@@ -109,8 +113,27 @@ float SharedMesh::outline_error(const LevelError &whole) {
 	}
 	const PackedVector3Array positions = seen.arrays[Mesh::ARRAY_VERTEX];
 	const PackedInt32Array indices = seen.arrays[Mesh::ARRAY_INDEX];
-	return whole.of({ reinterpret_cast<const glm::vec3 *>(positions.ptr()), int(positions.size()), indices.ptr(),
-			int(indices.size()) });
+	const SeenMesh level = { reinterpret_cast<const glm::vec3 *>(positions.ptr()), int(positions.size()), indices.ptr(),
+		int(indices.size()) };
+	if (!seen.has_cards) {
+		return whole.of(level);
+	}
+	const PackedVector3Array normals = seen.arrays[Mesh::ARRAY_NORMAL];
+	const PackedVector2Array uvs = seen.arrays[Mesh::ARRAY_TEX_UV];
+	const PackedFloat32Array custom0 = seen.arrays[Mesh::ARRAY_CUSTOM0];
+	const PackedFloat32Array custom2 = seen.arrays[Mesh::ARRAY_CUSTOM2];
+	const CardSheet &sheet = plant.cards->sheet();
+	SeenCards cards;
+	cards.normals = reinterpret_cast<const glm::vec3 *>(normals.ptr());
+	cards.uvs = reinterpret_cast<const glm::vec2 *>(uvs.ptr());
+	cards.custom0 = reinterpret_cast<const glm::vec4 *>(custom0.ptr());
+	cards.custom2 = reinterpret_cast<const glm::vec4 *>(custom2.ptr());
+	cards.width = sheet.width;
+	cards.height = sheet.height;
+	for (const CardLayer &layer : sheet.pictures) {
+		cards.layers.push_back(layer.colors.data());
+	}
+	return whole.of(level, cards);
 }
 
 // The engine may wait for the main thread while it creates a mesh, so this does not hold the lock. If two threads

@@ -35,6 +35,8 @@ public:
 	/// Areas of the plant (x) and of this mesh (y) as seen from above, relative to the area as seen from the side. Call
 	/// after build().
 	godot::Vector2 from_above() const { return built_from_above; }
+	/// True if it contains cards. Call after build().
+	bool has_cards() const { return built_has_cards; }
 	/// Returns the error of the outline (m) of a plant of parts. Builds the arrays if necessary. Any thread.
 	float outline_error(const LevelError &whole);
 
@@ -45,6 +47,7 @@ private:
 	MeshArrays arrays; ///< Freed when the mesh exists.
 	godot::Ref<godot::ArrayMesh> mesh;
 	float built_width = 0.0f;
+	bool built_has_cards = false;
 	godot::Vector2 built_from_above;
 
 	void build_locked();

@@ -17,12 +17,12 @@ namespace undergrowth {
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-static Ref<Shader> *shaders[2] = { nullptr, nullptr }; // For lathes and for parts.
+static Ref<Shader> *shaders[3] = { nullptr, nullptr, nullptr }; // For lathes, for parts, and for parts with cards.
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 
-static const char *const SHADER_PATHS[2] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
-	"res://addons/undergrowth/shaders/plant_parts.gdshader" };
+static const char *const SHADER_PATHS[3] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
+	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_cards.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
@@ -54,19 +54,27 @@ Ref<StandardMaterial3D> default_material() {
 
 // A pool thread that loads a resource runs other tasks meanwhile. These may request the same resource, so nothing is
 // loaded under the lock.
-Ref<Shader> plant_shader(bool of_parts) {
-	Ref<Shader> *&shader = shaders[int(of_parts)];
+static Ref<Shader> load_shader(int kind) {
+	Ref<Shader> *&shader = shaders[kind];
 	{
 		const std::lock_guard<std::mutex> lock(making);
 		if (shader && shader->is_valid()) {
 			return *shader;
 		}
 	}
-	const Ref<Shader> loaded = ResourceLoader::get_singleton()->load(SHADER_PATHS[int(of_parts)], "Shader");
+	const Ref<Shader> loaded = ResourceLoader::get_singleton()->load(SHADER_PATHS[kind], "Shader");
 	const std::lock_guard<std::mutex> lock(making);
 	delete shader;
 	shader = new Ref<Shader>(loaded);
 	return loaded;
+}
+
+Ref<Shader> plant_shader(bool of_parts) {
+	return load_shader(int(of_parts));
+}
+
+Ref<Shader> cards_shader() {
+	return load_shader(2);
 }
 
 static bool is_main_thread() {

@@ -24,6 +24,9 @@ void load_parts_shader();
 /// new material after the last one was freed does not read and compile it again.
 godot::Ref<godot::Shader> plant_shader(bool of_parts);
 
+/// Returns the add-on's shader of plants of parts with cards. Stays loaded as plant_shader() does.
+godot::Ref<godot::Shader> cards_shader();
+
 /// Returns the skin of the two bones, root and tip. All plants share it.
 godot::Ref<godot::Skin> plant_skin();
 

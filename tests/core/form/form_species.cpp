@@ -157,6 +157,19 @@ PlantForm grow_daisy(uint64_t seed) {
 	return plant.finish();
 }
 
+PlantForm grow_fern(uint64_t seed) {
+	Part leaflet = colored(blade(0.1f, 0.1f, 0.03f, LANCEOLATE_PROFILE, 20.0f), 0x4e7a2e, 0x86a84a);
+	leaflet.blade.teeth = 9;
+	Grower plant(seed);
+	const std::vector<int> fronds = plant.add(
+			colored(axis(0.6f, 0.9f, 0.006f, 0.0012f, 55.0f), 0xa5713a, 0x4e7a2e), tuft(7, 0.03f, { 15.0f, 40.0f }));
+	Arrangement leaflets = along(40, 0.2f, 1.0f, 0.0f, { 70.0f, 40.0f }, { 1.0f, 0.2f }, 2);
+	leaflets.flat = true;
+	leaflets.phase = 90.0f * DEGREE;
+	plant.add(leaflet, leaflets, fronds);
+	return plant.finish();
+}
+
 PlantForm grow_alone(const Part &part, uint64_t seed) {
 	Grower plant(seed);
 	plant.add(part, arranged(Layout::ground, 1));

@@ -295,7 +295,7 @@ String sample_styles(
 			if (watch.usec() > usec) {
 				return String();
 			}
-			String fault = style.sample_next(setup.levels, setup.rule.is_by_error);
+			String fault = style.sample_next(setup.levels, setup.rule.is_by_error, setup.material_override);
 			if (!fault.is_empty()) {
 				fault = leave_out_faulty(setup, i, fault, existing);
 			}
@@ -322,7 +322,7 @@ String read_other_style(const Ref<PlantFunction> &function, const PlacementOptio
 	into = listed < 0 ? style_of(function, SpeciesStyle().variant_count, options, size_t(list_size + others))
 					  : listed_style(*Ref<PlantFieldSpecies>(options.species[listed]).ptr(), options, size_t(listed));
 	while (!into.is_sampled()) {
-		const String fault = into.sample_next(setup.levels, setup.rule.is_by_error);
+		const String fault = into.sample_next(setup.levels, setup.rule.is_by_error, setup.material_override);
 		if (!fault.is_empty()) {
 			return describe(function.ptr()) + ": " + fault;
 		}

@@ -1,6 +1,7 @@
 #include "field/build/species_sampler.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/geometry_instance3d.hpp>
 
 using namespace godot;
 
@@ -14,6 +15,8 @@ String SpeciesSampler::begin(const Node *field, const FieldProperties &propertie
 		std::vector<SpeciesStyle> &&others) {
 	setup.levels = read_levels(properties, range);
 	setup.rule = read_level_rule(properties, range);
+	const GeometryInstance3D *drawn = Object::cast_to<GeometryInstance3D>(field);
+	setup.material_override = drawn ? drawn->get_material_override() : Ref<Material>();
 	setup.tile_size = float(properties.tile_size);
 	const String fault = find_level_fault(properties);
 	return fault.is_empty() ? list_styles(field, properties, others, setup) : fault;

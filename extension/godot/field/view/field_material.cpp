@@ -13,6 +13,7 @@ namespace undergrowth {
 
 static const char *const OWN_PREFIX = "undergrowth_"; // Prefix of parameters that the field sets.
 static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
+static const char *const CARD_INCLUDE_NAME = "undergrowth_card.gdshaderinc";
 
 void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
 	if (material->get_shader_parameter(name) != value) {
@@ -32,8 +33,13 @@ static void take_over(const Ref<BaseMaterial3D> &source, const Ref<ShaderMateria
 	set_parameter(made, "backlight", has_backlight ? source->get_backlight() : Color(0.0f, 0.0f, 0.0f));
 }
 
-static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made) {
-	const Ref<Shader> shader = source->get_shader();
+// The add-on's shader of plants of parts draws cards in another version with the same parameters.
+static Ref<Shader> drawing_shader(const Ref<Shader> &shader, bool has_cards) {
+	return has_cards && shader == plant_shader(true) ? cards_shader() : shader;
+}
+
+static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made, bool has_cards) {
+	const Ref<Shader> shader = drawing_shader(source->get_shader(), has_cards);
 	if (made->get_shader() != shader) {
 		made->set_shader(shader);
 	}
@@ -47,28 +53,37 @@ static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMateria
 	}
 }
 
-void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made) {
+void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made, bool has_cards) {
 	const Ref<ShaderMaterial> own = source;
 	const Ref<BaseMaterial3D> plain = source;
 	if (own.is_valid()) {
-		take_over(own, made);
+		take_over(own, made, has_cards);
 	} else if (plain.is_valid()) {
 		take_over(plain, made);
 	}
 }
 
-Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts) {
+Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts, bool has_cards) {
 	const Ref<ShaderMaterial> own = source;
 	if (own.is_valid()) {
-		return own->duplicate();
+		const Ref<ShaderMaterial> copy = own->duplicate();
+		copy->set_shader(drawing_shader(own->get_shader(), has_cards));
+		return copy;
 	}
 	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
-	made->set_shader(plant_shader(of_parts));
+	made->set_shader(has_cards ? cards_shader() : plant_shader(of_parts));
 	const Ref<BaseMaterial3D> plain = source;
 	if (plain.is_valid()) {
 		take_over(plain, made);
 	}
 	return made;
+}
+
+bool draws_cards(const Ref<Material> &source) {
+	const Ref<ShaderMaterial> own = source;
+	const Ref<Shader> shader = own.is_valid() ? own->get_shader() : Ref<Shader>();
+	return source.is_null() ||
+			(shader.is_valid() && (shader == plant_shader(true) || shader->get_code().contains(CARD_INCLUDE_NAME)));
 }
 
 bool bends_in_shader(const Ref<ShaderMaterial> &material) {

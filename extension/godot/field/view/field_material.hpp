@@ -9,16 +9,22 @@ namespace undergrowth {
 
 /// Returns a new material that bends plants. A ShaderMaterial as `source` is copied. A BaseMaterial3D gives a material
 /// with the add-on's shader and the source's colours, textures and roughness; null gives that shader with its defaults.
-/// `of_parts`: uses the shader for plants of parts.
-godot::Ref<godot::ShaderMaterial> make_field_material(const godot::Ref<godot::Material> &source, bool of_parts);
+/// `of_parts`: uses the shader for plants of parts, or for those with cards.
+godot::Ref<godot::ShaderMaterial> make_field_material(
+		const godot::Ref<godot::Material> &source, bool of_parts, bool has_cards = false);
 
 /// Copies the parameters of `source` to `made` after the user changed them: colours, textures and roughness of a
 /// BaseMaterial3D, or all shader parameters of a ShaderMaterial.
-void follow_material(const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made);
+void follow_material(
+		const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made, bool has_cards);
 
 /// Sets a shader parameter if its value differs, because writing a parameter costs more than reading it.
 void set_parameter(
 		const godot::Ref<godot::ShaderMaterial> &material, const godot::StringName &name, const godot::Variant &value);
+
+/// True if a field can draw cards with a function's material: none, one with the add-on's shader of plants of parts, or
+/// one whose shader includes undergrowth_card.gdshaderinc.
+bool draws_cards(const godot::Ref<godot::Material> &source);
 
 /// True if the material's shader includes undergrowth_bend.gdshaderinc, without which plants do not move.
 bool bends_in_shader(const godot::Ref<godot::ShaderMaterial> &material);

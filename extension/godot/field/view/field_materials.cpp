@@ -3,6 +3,7 @@
 #include "base/messages.hpp"
 #include "field/build/build_input.hpp"
 #include "field/view/field_material.hpp"
+#include "form/shared_cards.hpp"
 #include "stem/stem_shape.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -39,7 +40,15 @@ void FieldMaterials::make(FieldRenderSetup &setup) const {
 	for (SpeciesStyle &style : setup.styles) {
 		const bool is_new = style.materials.empty();
 		for (size_t i = style.materials.size(); i < setup.levels.size() + 2; i++) { // The last two are for shadows.
-			style.materials.push_back(make_field_material(source_material(style), style.has_parts()));
+			const bool has_cards = style.is_carded(i);
+			// After a change to a material without cards, the present meshes still have them until the next build.
+			const bool has_other = has_cards && style.has_other_cards(node->get_material_override());
+			const Ref<Material> source = has_other ? Ref<Material>() : source_material(style);
+			style.materials.push_back(make_field_material(source, style.has_parts(), has_cards));
+			if (has_cards) {
+				style.materials.back()->set_shader_parameter("undergrowth_card_colors", style.cards->colors());
+				style.materials.back()->set_shader_parameter("undergrowth_card_surfaces", style.cards->surfaces());
+			}
 		}
 		if (is_new && !style.materials.empty() && !bends_in_shader(style.materials[0])) {
 			report_error(style.function.ptr(),
@@ -172,8 +181,11 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 	}
 	followed_style = (followed_style + 1) % setup.styles.size();
 	const SpeciesStyle &style = setup.styles[followed_style];
-	for (const Ref<ShaderMaterial> &material : style.materials) {
-		follow_material(source_material(style), material);
+	if (style.has_other_cards(node->get_material_override())) {
+		return; // Until the next build.
+	}
+	for (size_t i = 0; i < style.materials.size(); i++) {
+		follow_material(source_material(style), style.materials[i], style.is_carded(i));
 	}
 }
 

@@ -23,6 +23,7 @@ struct FieldRenderSetup {
 	std::vector<SpeciesStyle> styles; ///< By species.
 	std::vector<FieldLevel> levels; ///< At least one, nearest first. Each style has the same, at its own distances.
 	LevelRule rule;
+	godot::Ref<godot::Material> material_override; ///< Of the node; null: none.
 	float tile_size = 16.0f; ///< m, of the tiles of chunks.
 	bool is_of_tiles = false; ///< No multimesh is wider than a tile, because tiles come and go alone.
 	/// True in the Compatibility renderer: it reads custom data as colours if instances have no colours.

@@ -2,19 +2,28 @@
 
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
+#include "card/card_mips.hpp"
+#include "field/view/field_material.hpp"
 #include "form/grown_plant.hpp"
+#include "form/shared_cards.hpp"
 #include "placement/plant_axes.hpp"
 #include "plant/base_shape.hpp"
 #include "species/shared_resources.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace godot;
 
 namespace undergrowth {
 
 static constexpr size_t MEASURED_VARIANTS = 3;
+static constexpr int MIN_CARD_SEGMENTS = 4; // Coarser levels are drawn in large numbers and cast shadows.
+static constexpr int MAX_CARD_SEGMENTS = 16;
+static constexpr float CARD_SHARE = 2.0f / 3.0f; // Of their error: three pixels in place of two.
+static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
+static constexpr float MIN_CARD_GAIN = 0.85f;
 
 static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
@@ -24,7 +33,16 @@ int SpeciesStyle::segments_at(const FieldLevel &level) const {
 	return is_by_error ? level.lod : std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
 }
 
-String SpeciesStyle::sample_next(const std::vector<FieldLevel> &given, bool by_error) {
+static bool can_draw_cards(const Ref<PlantFunction> &function, const Ref<Material> &material_override) {
+	return draws_cards(material_override.is_valid() ? material_override : function->get_material());
+}
+
+bool SpeciesStyle::has_other_cards(const Ref<Material> &material_override) const {
+	return is_by_error && takes_cards != can_draw_cards(function, material_override);
+}
+
+String SpeciesStyle::sample_next(
+		const std::vector<FieldLevel> &given, bool by_error, const Ref<Material> &material_override) {
 	const int variant = int(variants.size());
 	levels = given;
 	if (variant == variant_count) {
@@ -52,6 +70,8 @@ String SpeciesStyle::sample_next(const std::vector<FieldLevel> &given, bool by_e
 		}
 		if (level == 0) {
 			is_by_error = by_error && sampled.grown;
+			takes_cards = is_by_error && can_draw_cards(function, material_override);
+			cards = takes_cards ? function->find_cards() : nullptr;
 			sampled.lod = sampled.grown ? segments_at(levels[level]) : sampled.lod;
 			variants.push_back({ own_seed, sampled.height });
 		}
@@ -62,30 +82,72 @@ String SpeciesStyle::sample_next(const std::vector<FieldLevel> &given, bool by_e
 
 void SpeciesStyle::load_shader() const {
 	plant_shader(motion.has_parts);
+	if (cards) {
+		cards_shader();
+	}
 }
 
-// The largest error of some variants: a single one may lack flowers.
+// The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards.
+float SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
+	float worst = 0.0f;
+	for (size_t variant = 0; variant < outlines.size(); variant++) {
+		const GrownPlant &grown = *samples[0][variant].grown;
+		SampledPlant sampled = samples[0][variant];
+		sampled.lod = segments_at(levels[level]);
+		sampled.cards = has_cards ? cards : nullptr;
+		const float error = grown.level_error(sampled.lod, has_cards, [&] {
+			if (!outlines[variant]) {
+				outlines[variant].emplace(measure_outline(grown.form));
+			}
+			measured.push_back(SharedMesh::of(sampled));
+			measured.back()->build();
+			const bool is_missing = has_cards && !measured.back()->has_cards();
+			return is_missing ? std::numeric_limits<float>::infinity()
+							  : measured.back()->outline_error(*outlines[variant]);
+		});
+		worst = std::max(worst, error);
+	}
+	return worst;
+}
+
+// A texture shows the true shapes where its outline is a few pixels off, so that cards may be less exact than solid
+// parts. Nearer than their texels allow, they are blurred. They cost more pixels and must be better by a margin.
 void SpeciesStyle::measure() {
 	if (!is_by_error || samples.empty()) {
 		return;
 	}
-	errors.assign(samples.size(), 0.0f);
-	for (size_t variant = 0; variant < std::min(samples[0].size(), MEASURED_VARIANTS); variant++) {
-		std::optional<LevelError> outline;
-		const GrownPlant &grown = *samples[0][variant].grown;
-		for (size_t level = 0; level < samples.size(); level++) {
-			SampledPlant sampled = samples[0][variant];
-			sampled.lod = segments_at(levels[level]);
-			const float error = grown.level_error(sampled.lod, [&] {
-				if (!outline) {
-					outline.emplace(measure_outline(grown.form));
-				}
-				measured.push_back(SharedMesh::of(sampled));
-				return measured.back()->outline_error(*outline);
-			});
-			errors[level] = std::max(errors[level], error);
+	const bool has_cards = cards && !cards->sheet().is_empty();
+	std::vector<std::optional<LevelError>> outlines(std::min(samples[0].size(), MEASURED_VARIANTS));
+	are_carded.assign(samples.size(), false);
+	for (size_t level = 0; level < samples.size(); level++) {
+		errors.push_back(measure_level(level, false, outlines));
+		const int segments = segments_at(levels[level]);
+		if (has_cards && segments >= MIN_CARD_SEGMENTS && segments <= MAX_CARD_SEGMENTS) {
+			const float outline = measure_level(level, true, outlines);
+			const float finest = *std::min_element(errors.begin(), errors.end());
+			const float allowed = std::min(outline, std::max(CARD_SHARE * outline, finest));
+			const float with_cards = std::max(allowed, TEXELS * texel_of(cards->sheet()));
+			are_carded[level] = with_cards < MIN_CARD_GAIN * errors[level];
+			errors[level] = are_carded[level] ? with_cards : errors[level];
 		}
 	}
+	for (size_t level = 0; level < samples.size(); level++) {
+		for (SampledPlant &sampled : samples[level]) {
+			sampled.cards = are_carded[level] ? cards : nullptr;
+		}
+	}
+}
+
+bool SpeciesStyle::is_carded(size_t material) const {
+	size_t level = material;
+	if (material > levels.size()) {
+		level = size_t(std::max(near_shadow_level, 0));
+	} else if (material == levels.size()) {
+		const auto caster = std::find_if(
+				levels.begin(), levels.end() - 1, [](const FieldLevel &one) { return one.casts_for_finer; });
+		level = size_t(caster - levels.begin());
+	}
+	return level < are_carded.size() && are_carded[level];
 }
 
 // The samples of the first used level are kept for plants that get a mesh of their own.
@@ -167,6 +229,7 @@ SampledPlant SpeciesStyle::sample_alone(const PlacedPlant &plant) const {
 	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
 	sampled.height = height_of(plant);
 	sampled.has_part_bones = true;
+	sampled.cards = nullptr;
 	sampled.stem = stem;
 	return sampled;
 }

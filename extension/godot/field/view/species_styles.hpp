@@ -31,6 +31,10 @@ struct SpeciesStyle {
 	std::vector<FieldLevel> levels; ///< Those of the field, at the distances of this species.
 	int near_shadow_level = -1; ///< Level that casts the shadows of plants nearer than `near_shadow_end`; -1: none.
 	float near_shadow_end = 0.0f; ///< m; 0: none.
+	/// Cards of the species; null if its material cannot draw them or its levels are not chosen by error.
+	std::shared_ptr<SharedCards> cards;
+	bool takes_cards = false; ///< True if its material can draw cards.
+	std::vector<bool> are_carded; ///< By level: drawn with cards. Empty: none.
 	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
@@ -61,7 +65,11 @@ struct SpeciesStyle {
 	/// Samples one more variant of the function at all levels, and after the last one its motion. Main thread, since
 	/// scripts may run. build() solves stems that the function has not solved. Returns a fault with its remedy; empty:
 	/// none.
-	godot::String sample_next(const std::vector<FieldLevel> &levels, bool is_by_error);
+	/// `material_override`: the node's, or null.
+	godot::String sample_next(const std::vector<FieldLevel> &levels, bool is_by_error,
+			const godot::Ref<godot::Material> &material_override);
+	/// True if it was sampled for a material that draws cards, and now has one that does not, or the other way round.
+	bool has_other_cards(const godot::Ref<godot::Material> &material_override) const;
 	/// Measures the errors of all levels if they are chosen by error. Any thread.
 	void measure();
 	/// Returns the vertical segments at a level.
@@ -93,6 +101,8 @@ struct SpeciesStyle {
 	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
 	/// Height with its scale (m).
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
+	/// True if a material draws cards: those of the levels, and the two for shadows.
+	bool is_carded(size_t material) const;
 	/// True if its plants consist of parts.
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
 	/// Mean of its variants (m).
@@ -106,6 +116,7 @@ struct SpeciesStyle {
 
 private:
 	void build_meshes();
+	float measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
 	void leave_unused();
 	void find_mean();
 	/// Reads all of the motion except the stem.

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "form/plant_form.hpp"
+
+#include <vector>
+
+namespace undergrowth {
+
+enum class CardShape {
+	flat, ///< Along the midrib of its carrier, in the plane of the carrier: fronds, feathered leaves.
+	strip, ///< Along an axis, turned about it to the camera: ears, spikes, panicles.
+	ball, ///< Turned to the camera in both directions: round heads.
+};
+
+/// Parts that one picture replaces: parts of some kinds on carriers of one kind, and everything on these parts. Kinds
+/// are indices of PlantForm::parts, which are the same for all seeds of a species.
+struct CardGroup {
+	int carrier_kind = 0;
+	std::vector<int> carried; ///< Kinds of the parts on the carrier, ascending.
+	CardShape shape = CardShape::flat;
+	bool has_cap = false; ///< True if a second picture shows it from above.
+};
+
+/// Extent of the parts of a card along its axis and across it (m).
+struct CardExtent {
+	float low = 0.0f; ///< Along the axis, from its origin.
+	float high = 0.0f;
+	float half = 0.0f; ///< Largest distance across.
+
+	bool is_empty() const { return !(high > low) || !(half > 0.0f); }
+};
+
+/// A card group on one carrier.
+struct CardPlace {
+	int group = 0;
+	int carrier = 0; ///< Index of the placed part.
+	int first = 0; ///< Its first part.
+	int count = 0; ///< Number of its parts.
+	float from = 0.0f; ///< Offset of the axis's origin on the carrier.
+	CardExtent extent; ///< Of the midribs of its parts.
+};
+
+/// The parts of a form that are in cards.
+struct CardPlaces {
+	std::vector<CardPlace> places;
+	std::vector<int> owners; ///< By placed part: its place, or -1.
+};
+
+/// Returns the groups of small parts that pictures can replace: many flat parts on a midrib, and heads of many parts at
+/// the tip of a stem. The largest groups first, at most MAX_CARD_GROUPS.
+std::vector<CardGroup> find_card_groups(const PlantForm &form);
+
+/// Returns where the parts of these groups are in a form of any seed.
+CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &groups);
+
+inline constexpr size_t MAX_CARD_GROUPS = 4;
+
+} // namespace undergrowth

@@ -1,0 +1,189 @@
+#include "card/card_mips.hpp"
+
+#include "mesh/silhouette.hpp"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float THRESHOLD = 0.5f; // Of the alpha in materials.
+constexpr int BINS = 1024; // Of alphas.
+constexpr int FINER = 3; // Points along a texel at which its coverage is measured.
+constexpr float MIN_MEAN = 0.02f; // Linear light.
+constexpr float DARKEST = 0.45f; // Occlusion.
+constexpr float SHADE = 1.2f; // Occlusion per depth, in half-widths of the card.
+constexpr int SHADE_REACH = 3; // Texels.
+
+/// One mipmap: sums of texels, weighted by their coverage.
+struct Mip {
+	int width, height;
+	std::vector<float> coverage;
+	std::vector<glm::vec3> light; ///< Premultiplied, as are the following ones.
+	std::vector<glm::vec4> surface;
+
+	Mip(int p_width, int p_height) :
+			width(p_width),
+			height(p_height),
+			coverage(size()),
+			light(size(), glm::vec3(0.0f)),
+			surface(size(), glm::vec4(0.0f)) {}
+	size_t size() const { return static_cast<size_t>(width) * static_cast<size_t>(height); }
+	size_t at(int x, int y) const {
+		return static_cast<size_t>(std::clamp(y, 0, height - 1)) * static_cast<size_t>(width) +
+				static_cast<size_t>(std::clamp(x, 0, width - 1));
+	}
+};
+
+/// Brightness of each texel: deep texels are in the shade of their neighbours.
+std::vector<float> occlusion_of(const CardPicture &picture) {
+	std::vector<float> open(picture.texels.size(), 1.0f);
+	double sum = 0.0, weight = 0.0;
+	for (int y = 0; y < picture.height; y++) {
+		for (int x = 0; x < picture.width; x++) {
+			const size_t at = static_cast<size_t>(y * picture.width + x);
+			const CardTexel &own = picture.texels[at];
+			float above = 0.0f, near = 1e-6f;
+			for (int i = -SHADE_REACH; i <= SHADE_REACH && own.coverage > 0.0f; i++) {
+				for (int k = -SHADE_REACH; k <= SHADE_REACH; k++) {
+					const int row = std::clamp(y + i, 0, picture.height - 1);
+					const int column = std::clamp(x + k, 0, picture.width - 1);
+					const CardTexel &other = picture.texels[static_cast<size_t>(row * picture.width + column)];
+					above += other.coverage * std::max(other.depth - own.depth, 0.0f);
+					near += 1.0f;
+				}
+			}
+			open[at] = std::max(1.0f - SHADE * above / (near * picture.box.half), DARKEST);
+			sum += static_cast<double>(open[at] * own.coverage);
+			weight += static_cast<double>(own.coverage);
+		}
+	}
+	const float mean = weight > 0.0 ? static_cast<float>(sum / weight) : 1.0f;
+	for (float &one : open) {
+		one /= mean;
+	}
+	return open;
+}
+
+Mip first_mip(const CardPicture &picture) {
+	Mip mip(picture.width, picture.height);
+	const std::vector<float> open = occlusion_of(picture);
+	for (size_t i = 0; i < picture.texels.size(); i++) {
+		const CardTexel &texel = picture.texels[i];
+		mip.coverage[i] = texel.coverage;
+		mip.light[i] = texel.light * texel.coverage;
+		mip.surface[i] = glm::vec4(texel.normal, open[i], texel.leafiness) * texel.coverage;
+	}
+	return mip;
+}
+
+Mip halved(const Mip &fine) {
+	Mip mip(std::max(fine.width / 2, 1), std::max(fine.height / 2, 1));
+	const int wide = fine.width / mip.width;
+	const int high = fine.height / mip.height;
+	const float share = 1.0f / static_cast<float>(wide * high);
+	for (int y = 0; y < mip.height; y++) {
+		for (int x = 0; x < mip.width; x++) {
+			const size_t to = mip.at(x, y);
+			for (int i = 0; i < wide * high; i++) {
+				const size_t from = fine.at(x * wide + i % wide, y * high + i / wide);
+				mip.coverage[to] += fine.coverage[from] * share;
+				mip.light[to] += fine.light[from] * share;
+				mip.surface[to] += fine.surface[from] * share;
+			}
+		}
+	}
+	return mip;
+}
+
+/// Returns the factor of alphas with which the threshold cuts out this share of the picture, as the engine interpolates
+/// it.
+float alpha_scale(const Mip &mip, float share) {
+	std::vector<int> bins(BINS + 1, 0);
+	for (int y = 0; y < FINER * mip.height; y++) {
+		for (int x = 0; x < FINER * mip.width; x++) {
+			const float place_x = (static_cast<float>(x) + 0.5f) / FINER - 0.5f;
+			const float place_y = (static_cast<float>(y) + 0.5f) / FINER - 0.5f;
+			const int left = static_cast<int>(std::floor(place_x));
+			const int upper = static_cast<int>(std::floor(place_y));
+			const float t = place_x - static_cast<float>(left);
+			const float s = place_y - static_cast<float>(upper);
+			const float one =
+					mip.coverage[mip.at(left, upper)] * (1.0f - t) + mip.coverage[mip.at(left + 1, upper)] * t;
+			const float other =
+					mip.coverage[mip.at(left, upper + 1)] * (1.0f - t) + mip.coverage[mip.at(left + 1, upper + 1)] * t;
+			bins[static_cast<size_t>((one * (1.0f - s) + other * s) * BINS)]++;
+		}
+	}
+	const int wanted = static_cast<int>(share * static_cast<float>(FINER * FINER) * static_cast<float>(mip.size()));
+	int sum = 0;
+	int bin = BINS;
+	while (bin > 1 && sum + bins[static_cast<size_t>(bin)] <= wanted) {
+		sum += bins[static_cast<size_t>(bin--)];
+	}
+	return THRESHOLD * BINS / (static_cast<float>(bin) + 0.5f);
+}
+
+uint8_t byte_of(float value) {
+	return static_cast<uint8_t>(std::clamp(value, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
+/// Fills texels that are not covered from the coarser mipmaps.
+void fill_holes(std::vector<Mip> &mips) {
+	for (size_t level = mips.size(); level-- > 0;) {
+		Mip &mip = mips[level];
+		for (int y = 0; y < mip.height; y++) {
+			for (int x = 0; x < mip.width; x++) {
+				const size_t at = mip.at(x, y);
+				if (mip.coverage[at] > 0.0f) {
+					mip.light[at] *= 1.0f / mip.coverage[at];
+					mip.surface[at] *= 1.0f / mip.coverage[at];
+				} else if (level + 1 < mips.size()) {
+					const Mip &coarse = mips[level + 1];
+					const size_t from = coarse.at(x * coarse.width / mip.width, y * coarse.height / mip.height);
+					mip.light[at] = coarse.light[from];
+					mip.surface[at] = coarse.surface[from];
+				}
+			}
+		}
+	}
+}
+
+} // namespace
+
+void write_layer(const CardPicture &picture, CardLayer &layer) {
+	std::vector<Mip> mips = { first_mip(picture) };
+	while (mips.back().size() > 1) {
+		mips.push_back(halved(mips.back()));
+	}
+	const float share = mips.back().coverage[0];
+	const glm::vec3 mean = share > 0.0f ? mips.back().light[0] * (1.0f / share) : glm::vec3(0.0f);
+	layer.color = { from_light(mean.x), from_light(mean.y), from_light(mean.z), 1.0f };
+	layer.leafiness = share > 0.0f ? mips.back().surface[0].w / share : 0.0f;
+	std::vector<float> scales;
+	for (const Mip &mip : mips) {
+		scales.push_back(alpha_scale(mip, share));
+	}
+	fill_holes(mips);
+	for (size_t level = 0; level < mips.size(); level++) {
+		const Mip &mip = mips[level];
+		for (size_t i = 0; i < mip.size(); i++) {
+			const glm::vec3 light = mip.light[i] / glm::max(mean, glm::vec3(MIN_MEAN));
+			for (int k = 0; k < 3; k++) {
+				layer.colors.push_back(byte_of(0.5f * std::sqrt(std::max(light[k], 0.0f))));
+			}
+			layer.colors.push_back(byte_of(mip.coverage[i] * scales[level]));
+			const glm::vec4 &surface = mip.surface[i];
+			layer.surfaces.push_back(byte_of(0.5f + 0.5f * surface.x));
+			layer.surfaces.push_back(byte_of(0.5f + 0.5f * surface.y));
+			layer.surfaces.push_back(byte_of(0.5f * surface.z));
+			layer.surfaces.push_back(byte_of(surface.w));
+		}
+	}
+}
+
+} // namespace undergrowth

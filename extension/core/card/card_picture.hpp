@@ -1,0 +1,40 @@
+#pragma once
+
+#include "card/card_axis.hpp"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace undergrowth {
+
+/// Region of a card's plane that a picture shows (m). Its width is symmetric about the axis.
+struct CardBox {
+	float low = 0.0f; ///< Along the axis.
+	float high = 1.0f;
+	float half = 1.0f;
+};
+
+/// A texel of a picture, mean over its covered samples.
+struct CardTexel {
+	float coverage = 0.0f; ///< 0 to 1.
+	glm::vec3 light = glm::vec3(0.0f); ///< Colour in linear light.
+	glm::vec2 normal = glm::vec2(0.0f); ///< Across and along the card.
+	float depth = 0.0f; ///< m, towards the camera.
+	float leafiness = 0.0f;
+};
+
+/// The picture of the parts of one card, from its own uncut geometry. The same bytes on all platforms.
+struct CardPicture {
+	int width = 0;
+	int height = 0;
+	CardBox box;
+	std::vector<CardTexel> texels; ///< Row by row, from the tip to the base.
+};
+
+/// Draws all parts of a place with 6 by 6 samples per texel, the nearest in front. A border of one texel stays empty.
+CardPicture draw_card(const PlantForm &form, const CardPlaces &all, int place, bool from_above, int width, int height);
+
+} // namespace undergrowth

@@ -1,0 +1,120 @@
+#include "card/card_sheet.hpp"
+
+#include "card/card_mips.hpp"
+
+#include <algorithm>
+
+namespace undergrowth {
+
+namespace {
+
+struct LayerSize {
+	int width, height;
+};
+constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 64, 128 }, { 64, 64 } };
+constexpr int BYTES_OF_TEXEL = 8; // Of both textures.
+
+/// Returns the place of a group with the largest number of parts.
+int largest_place(const CardPlaces &all, int group) {
+	int largest = -1;
+	for (size_t i = 0; i < all.places.size(); i++) {
+		const CardPlace &place = all.places[i];
+		const bool is_larger = largest < 0 || place.count > all.places[static_cast<size_t>(largest)].count;
+		largest = place.group == group && !place.extent.is_empty() && is_larger ? static_cast<int>(i) : largest;
+	}
+	return largest;
+}
+
+std::vector<glm::vec2> edges_of(const CardPicture &picture) {
+	std::vector<glm::vec2> edges;
+	for (int row = picture.height - 1; row >= 0; row--) {
+		glm::vec2 edge(1.0f, -1.0f);
+		for (int column = 0; column < picture.width; column++) {
+			if (picture.texels[static_cast<size_t>(row * picture.width + column)].coverage > 0.0f) {
+				const float left = static_cast<float>(column - 1) / static_cast<float>(picture.width);
+				const float right = static_cast<float>(column + 2) / static_cast<float>(picture.width);
+				edge.x = std::min(edge.x, std::max(2.0f * left - 1.0f, -1.0f));
+				edge.y = std::max(edge.y, std::min(2.0f * right - 1.0f, 1.0f));
+			}
+		}
+		edges.push_back(edge);
+	}
+	return edges;
+}
+
+float mean_depth(const CardPicture &picture) {
+	double sum = 0.0, weight = 0.0;
+	for (const CardTexel &texel : picture.texels) {
+		sum += static_cast<double>(texel.depth * texel.coverage);
+		weight += static_cast<double>(texel.coverage);
+	}
+	return weight > 0.0 ? static_cast<float>(sum / weight) : 0.0f;
+}
+
+CardLayer make_layer(const PlantForm &form, const CardPlaces &all, int place, bool from_above, const CardSheet &sheet) {
+	const CardPicture picture = draw_card(form, all, place, from_above, sheet.width, sheet.height);
+	CardLayer layer;
+	layer.box = picture.box;
+	layer.extent = all.places[static_cast<size_t>(place)].extent;
+	layer.top = from_above ? mean_depth(picture) : 0.0f;
+	layer.edges = edges_of(picture);
+	write_layer(picture, layer);
+	return layer;
+}
+
+} // namespace
+
+size_t CardSheet::size() const {
+	size_t sum = 0;
+	for (const CardLayer &layer : pictures) {
+		sum += layer.colors.size() + layer.surfaces.size();
+	}
+	return sum;
+}
+
+float texel_of(const CardSheet &sheet) {
+	float largest = 0.0f;
+	for (const CardLayer &layer : sheet.pictures) {
+		const float across = 2.0f * layer.box.half / static_cast<float>(sheet.width);
+		const float along = (layer.box.high - layer.box.low) / static_cast<float>(sheet.height);
+		largest = std::max({ largest, across, along });
+	}
+	return largest;
+}
+
+CardSheet make_card_sheet(const PlantForm &form) {
+	CardSheet sheet;
+	const std::vector<CardGroup> found = find_card_groups(form);
+	const CardPlaces all = place_cards(form, found);
+	std::vector<int> shown;
+	int layers = 0;
+	for (size_t g = 0; g < found.size(); g++) {
+		const int place = largest_place(all, static_cast<int>(g));
+		if (place >= 0) {
+			sheet.groups.push_back(found[g]);
+			sheet.layers.push_back(layers);
+			shown.push_back(place);
+			layers += found[g].has_cap ? 2 : 1;
+		}
+	}
+	if (layers == 0) {
+		return sheet;
+	}
+	for (const LayerSize &size : SIZES) {
+		sheet.width = size.width;
+		sheet.height = size.height;
+		const int texels = layers * size.width * size.height * 4 / 3; // With mipmaps.
+		if (static_cast<size_t>(texels * BYTES_OF_TEXEL) <= MAX_SHEET_BYTES) {
+			break;
+		}
+	}
+	for (size_t i = 0; i < shown.size(); i++) {
+		sheet.pictures.push_back(make_layer(form, all, shown[i], false, sheet));
+		if (sheet.groups[i].has_cap) {
+			sheet.pictures.push_back(make_layer(form, all, shown[i], true, sheet));
+		}
+	}
+	return sheet;
+}
+
+} // namespace undergrowth

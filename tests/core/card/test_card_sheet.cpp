@@ -1,0 +1,157 @@
+#include "../form/form_species.hpp"
+#include "../golden.hpp"
+#include "card/card_sheet.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace undergrowth;
+
+namespace {
+
+using Grow = PlantForm (*)(uint64_t);
+constexpr Grow SPECIES[] = { grow_grass, grow_daisy, grow_fern };
+
+/// A mipmap of a layer's coverage.
+struct Alphas {
+	int width, height;
+	const uint8_t *bytes;
+
+	double at(int x, int y) const {
+		const int column = std::clamp(x, 0, width - 1);
+		const int row = std::clamp(y, 0, height - 1);
+		return bytes[4 * (row * width + column) + 3] / 255.0;
+	}
+	/// Fraction of a fine picture that a material with linear filter and a threshold of one half draws.
+	double drawn() const {
+		constexpr int FINER = 8;
+		int count = 0;
+		for (int y = 0; y < FINER * height; y++) {
+			for (int x = 0; x < FINER * width; x++) {
+				const double u = (x + 0.5) / FINER - 0.5;
+				const double v = (y + 0.5) / FINER - 0.5;
+				const int left = static_cast<int>(std::floor(u));
+				const int upper = static_cast<int>(std::floor(v));
+				const double above = at(left, upper) * (left + 1 - u) + at(left + 1, upper) * (u - left);
+				const double below = at(left, upper + 1) * (left + 1 - u) + at(left + 1, upper + 1) * (u - left);
+				count += above * (upper + 1 - v) + below * (v - upper) >= 0.5 ? 1 : 0;
+			}
+		}
+		return static_cast<double>(count) / (FINER * FINER * width * height);
+	}
+};
+
+} // namespace
+
+TEST_CASE("heads and flat fronds are found, single large parts are not") {
+	const std::vector<CardGroup> grass = find_card_groups(grow_grass(2));
+	REQUIRE(grass.size() == 1);
+	CHECK(grass[0].shape == CardShape::strip);
+	const std::vector<CardGroup> daisy = find_card_groups(grow_daisy(2));
+	REQUIRE(daisy.size() == 1);
+	CHECK(daisy[0].carried.size() == 2); // Florets and rays.
+	CHECK(daisy[0].has_cap);
+	const std::vector<CardGroup> fern = find_card_groups(grow_fern(2));
+	REQUIRE(fern.size() == 1);
+	CHECK(fern[0].shape == CardShape::flat);
+	CHECK_FALSE(fern[0].has_cap);
+	CHECK(find_card_groups(grow_tulip(2)).empty());
+}
+
+TEST_CASE("fresh and faded heads on stems of one kind have their own pictures") {
+	Growth growth(0.3f, 1);
+	Part stem, floret, faded;
+	stem.kind = PartKind::axis;
+	stem.length_min = stem.length_max = 0.3f;
+	stem.width = 0.003f;
+	floret.length_min = floret.length_max = 0.01f;
+	floret.width = 0.003f;
+	faded = floret;
+	faded.colors.base = faded.colors.tip = glm::vec4(0.4f, 0.2f, 0.1f, 1.0f);
+	int stem_kind = 0, floret_kind = 0, faded_kind = 0;
+	REQUIRE(growth.add_kind(stem, stem_kind) == "");
+	REQUIRE(growth.add_kind(floret, floret_kind) == "");
+	REQUIRE(growth.add_kind(faded, faded_kind) == "");
+	Arrangement head;
+	head.layout = Layout::disc;
+	head.count_min = head.count_max = 40;
+	head.radius = 0.01f;
+	head.dome = 1.5f;
+	Arrangement ground;
+	ground.layout = Layout::ground;
+	for (const int kind : { floret_kind, faded_kind }) {
+		std::vector<int> stems, florets;
+		REQUIRE(growth.arrange(stem_kind, ground, { ON_GROUND }, stems) == "");
+		REQUIRE(growth.arrange(kind, head, stems, florets) == "");
+	}
+	const std::vector<CardGroup> groups = find_card_groups(growth.finish());
+	REQUIRE(groups.size() == 2);
+	CHECK(groups[0].carried.size() == 1);
+	CHECK(groups[1].carried != groups[0].carried);
+}
+
+TEST_CASE("each carrier has one card with everything on it") {
+	const PlantForm form = grow_grass(3);
+	const CardPlaces all = place_cards(form, find_card_groups(form));
+	CHECK(all.places.size() == 3); // Culms.
+	for (const CardPlace &place : all.places) {
+		CHECK(place.count == 12 * 3); // Twigs with two spikelets.
+		CHECK(place.from == doctest::Approx(0.835f).epsilon(0.02));
+		CHECK(place.extent.high - place.extent.low > 0.05f);
+	}
+}
+
+TEST_CASE("mipmaps cover as much as the picture") {
+	for (const Grow grow : SPECIES) {
+		const CardSheet sheet = make_card_sheet(grow(1));
+		for (const CardLayer &layer : sheet.pictures) {
+			Alphas alphas = { sheet.width, sheet.height, layer.colors.data() };
+			const double whole = alphas.drawn();
+			CHECK(whole > 0.005);
+			while (std::min(alphas.width, alphas.height) > 4) {
+				CAPTURE(alphas.width);
+				CHECK(alphas.drawn() == doctest::Approx(whole).epsilon(0.12));
+				alphas.bytes += 4 * alphas.width * alphas.height;
+				alphas.width /= 2;
+				alphas.height /= 2;
+			}
+		}
+	}
+}
+
+TEST_CASE("the mean of a layer's colours is 1") {
+	for (const Grow grow : SPECIES) {
+		const CardSheet sheet = make_card_sheet(grow(1));
+		for (const CardLayer &layer : sheet.pictures) {
+			double sum = 0.0, weight = 0.0;
+			for (size_t i = 0; i < static_cast<size_t>(4 * sheet.width * sheet.height); i += 4) {
+				const double root = 2.0 * layer.colors[i + 1] / 255.0;
+				sum += root * root * layer.colors[i + 3];
+				weight += layer.colors[i + 3];
+			}
+			CHECK(sum / weight == doctest::Approx(1.0).epsilon(0.05));
+		}
+	}
+}
+
+TEST_CASE("a sheet of cards fits the video memory of a species") {
+	for (const Grow grow : SPECIES) {
+		const CardSheet sheet = make_card_sheet(grow(1));
+		CHECK(sheet.size() > 0);
+		CHECK(sheet.size() <= MAX_SHEET_BYTES);
+	}
+	CHECK(make_card_sheet(grow_tulip(1)).is_empty());
+}
+
+TEST_CASE("the pictures of cards are the same on every platform") {
+	const uint64_t goldens[3] = { 0x390010f3929313b4ull, 0xdb9da27ba6af4db8ull, 0xd65e1680ad85680eull };
+	for (size_t i = 0; i < 3; i++) {
+		GoldenHash hash;
+		for (const CardLayer &layer : make_card_sheet(SPECIES[i](5)).pictures) {
+			hash.add(layer.colors).add(layer.surfaces);
+		}
+		CHECK(hash.value() == goldens[i]);
+	}
+}

@@ -1,0 +1,105 @@
+## Pictures of plants with cards, compared with all of their parts.
+extends "res://tests/engine/picture_harness.gd"
+
+const SIDE := 300
+const SPECIES: Array[String] = ["male_fern", "common_reed", "wheat"]
+const THINNED := 7.5  # m: beyond this distance fewer plants are drawn, which are wider.
+const LOW := 0.3  # Angles of the camera above the plant, rad.
+const HIGH := 1.1
+
+var _field: PlantField3D
+var _root: Vector3
+var _height: float
+
+
+func before_each() -> void:
+	make_stage()
+	stage.size = Vector2i(SIDE, SIDE)
+	stage.transparent_bg = true
+
+
+func after_each() -> void:
+	stage.free()
+
+
+func test_levels_with_cards_cover_as_much_in_the_same_colour() -> void:
+	for name in SPECIES:
+		await _sow(name)
+		var listed: Dictionary = _field.get_statistics()["levels"][0]
+		var distances: Array[float] = []
+		for i in range(1, listed["ends"].size()):
+			if listed["are_carded"][i] and listed["ends"][i - 1] < THINNED:
+				distances.append(1.02 * listed["ends"][i - 1])
+		check(distances.size() > 0, "%s has cards" % name)
+		var shown := await _pictures(distances)
+		_field.levels = [PlantFieldLevel.of(64)]
+		await settled(_field)
+		var whole := await _pictures(distances)
+		for i in shown.size():
+			var what := (
+				"%s at %.1f m, from %.1f rad" % [name, distances[i / 2], HIGH if i % 2 else LOW]
+			)
+			var share: float = _pixels(shown[i]) / _pixels(whole[i])
+			check(share > 0.75 and share < 1.25, "%s covers %.2f" % [what, share])
+			var apart := _mean(shown[i]).distance_to(_mean(whole[i]))
+			check(apart < 0.05, "%s differs in colour by %.3f" % [what, apart])
+		_field.free()
+
+
+func test_cards_turn_to_the_camera() -> void:
+	await _sow("common_reed")
+	var distance: float = 1.1 * _field.get_statistics()["levels"][0]["ends"][0]
+	var counts: Array[float] = []
+	for turn in 6:
+		_look(distance, LOW, TAU * turn / 6.0)
+		counts.append(_pixels(await picture()))
+	check(counts.min() > 0.6 * counts.max(), "pixels by direction: %s" % [counts])
+	_field.free()
+
+
+func _sow(name: String) -> void:
+	_field = PlantField3D.from_species([load("res://addons/undergrowth/species/%s.tres" % name)])
+	_field.size = Vector2(20, 20)
+	_field.density = 0.02
+	_field.simulation_enabled = false
+	stage.add_child(_field)
+	await settled(_field)
+	var ids := _field.find_plants_in_sphere(Vector3.ZERO, 40.0)
+	for i in range(1, ids.size()):
+		_field.remove_plant(ids[i])
+	_root = _field.get_plant_transform(ids[0]).origin
+	_height = _field.get_plant_height(ids[0])
+
+
+func _pictures(distances: Array[float]) -> Array[Image]:
+	var made: Array[Image] = []
+	for distance in distances:
+		for angle: float in [LOW, HIGH]:
+			_look(distance, angle, 0.0)
+			made.append(await picture())
+	return made
+
+
+func _look(distance: float, angle: float, turn: float) -> void:
+	var target := _root + Vector3(0, 0.5 * _height, 0)
+	var way := Vector3(0, sin(angle), cos(angle)).rotated(Vector3.UP, turn)
+	var camera := stage.get_camera_3d()
+	camera.look_at_from_position(target + distance * way, target)
+	camera.fov = clampf(rad_to_deg(2.0 * atan(0.65 * _height / distance)), 1.0, 120.0)
+
+
+func _pixels(image: Image) -> float:
+	var count := 0
+	for y in SIDE:
+		for x in SIDE:
+			count += 1 if image.get_pixel(x, y).a > 0.5 else 0
+	return maxf(count, 1.0)
+
+
+func _mean(image: Image) -> Vector3:
+	var sum := Vector3.ZERO
+	for y in SIDE:
+		for x in SIDE:
+			var pixel := image.get_pixel(x, y)
+			sum += Vector3(pixel.r, pixel.g, pixel.b) if pixel.a > 0.5 else Vector3.ZERO
+	return sum / _pixels(image)
