@@ -1,6 +1,7 @@
 #include "card/card_groups.hpp"
 
 #include "card/card_axis.hpp"
+#include "card/card_picture.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -23,6 +24,8 @@ constexpr float MIN_STRIP = 1.5f; // Length over width.
 constexpr float MIN_BALL = 0.5f;
 constexpr float MAX_BALL_BASE = 0.35f; // Distance between the bases of its parts, over its length.
 constexpr float MAX_CAPPED = 1.2f; // Length over width of heads that have a picture from above.
+constexpr float MIN_FILLED = 0.5f; // Covered share of the outline of heads that have a picture from above.
+constexpr int SKETCH = 64; // Texels along the sides of the picture for it.
 constexpr int MIDRIB_POINTS = 3;
 
 /// Parts of one kind on carriers of one kind.
@@ -127,15 +130,34 @@ std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind
 	return groups;
 }
 
-/// Sets the shape of a head from its largest place.
-void shape_head(const PlantForm &form, CardGroup &group) {
+/// Covered share of the picture of a head from the side, in its own outline.
+float filled_share(const PlantForm &form, const CardPlaces &all, int place) {
+	const CardPicture picture = draw_card(form, all, place, false, SKETCH, SKETCH);
+	float covered = 0.0f;
+	int inside = 0;
+	for (int row = 0; row < SKETCH; row++) {
+		int first = SKETCH, last = -1;
+		for (int column = 0; column < SKETCH; column++) {
+			const float coverage = picture.texels[static_cast<size_t>(row * SKETCH + column)].coverage;
+			covered += coverage;
+			first = coverage > 0.0f ? std::min(first, column) : first;
+			last = coverage > 0.0f ? column : last;
+		}
+		inside += std::max(last - first + 1, 0);
+	}
+	return covered / static_cast<float>(std::max(inside, 1));
+}
+
+/// Sets the shape of a head from its largest place. Returns false if it stays solid: pictures of a broad, open head of
+/// twigs from the side and from above differ too much in colour from the head between these directions.
+bool shape_head(const PlantForm &form, CardGroup &group) {
 	const CardPlaces all = place_cards(form, { group });
 	const CardPlace *largest = nullptr;
 	for (const CardPlace &place : all.places) {
 		largest = !largest || place.count > largest->count ? &place : largest;
 	}
 	if (!largest) {
-		return;
+		return true;
 	}
 	const CardExtent &extent = largest->extent;
 	const float ratio = (extent.high - extent.low) / (2.0f * std::max(extent.half, 1e-6f));
@@ -143,6 +165,7 @@ void shape_head(const PlantForm &form, CardGroup &group) {
 	const bool is_round = ratio >= MIN_BALL && ratio < MIN_STRIP && base <= MAX_BALL_BASE * (extent.high - extent.low);
 	group.shape = is_round ? CardShape::ball : CardShape::strip;
 	group.has_cap = !is_round && ratio < MAX_CAPPED;
+	return !group.has_cap || filled_share(form, all, static_cast<int>(largest - all.places.data())) >= MIN_FILLED;
 }
 
 void measure_extents(const PlantForm &form, CardPlaces &all) {
@@ -186,8 +209,8 @@ std::vector<CardGroup> find_card_groups(const PlantForm &form) {
 				if (parts < MIN_PARTS) {
 					continue;
 				}
-				if (is_head) {
-					shape_head(form, group);
+				if (is_head && !shape_head(form, group)) {
+					continue;
 				}
 				for (const int carried : group.carried) {
 					is_replaced[static_cast<size_t>(carried)] = true;

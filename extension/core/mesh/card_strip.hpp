@@ -15,6 +15,7 @@ enum class CardTurn {
 	fixed, ///< As written.
 	turned, ///< About its axis to the camera, and in a ball also towards it.
 	cap, ///< As written, but drawn only from above.
+	side, ///< Turned, and narrower where its cap is drawn.
 };
 
 /// A textured strip of quads in place of many small parts (card/card_sheet.hpp).

@@ -182,13 +182,15 @@ std::vector<glm::vec3> turned_to(const SeenMesh &mesh, const SeenCards &cards, c
 		const glm::vec3 aside(cards.custom2[i]);
 		const glm::vec3 &axis = cards.normals[i];
 		const glm::vec3 middle = points[static_cast<size_t>(i)] - aside;
+		const float t = std::clamp((glm::dot(axis, eye) - LOWEST_CAP) / (WHOLE_CAP - LOWEST_CAP), 0.0f, 1.0f);
+		const float cap = t * t * (3.0f - 2.0f * t);
 		if (code % CARD_CODES == static_cast<int>(CardTurn::cap)) {
-			const float t = std::clamp((glm::dot(axis, eye) - LOWEST_CAP) / (WHOLE_CAP - LOWEST_CAP), 0.0f, 1.0f);
-			points[static_cast<size_t>(i)] = middle + aside * (t * t * (3.0f - 2.0f * t));
+			points[static_cast<size_t>(i)] = middle + aside * cap;
 			continue;
 		}
 		const float along = glm::dot(aside, axis);
-		const float across = glm::length(aside - axis * along) * (cards.uvs[i].x < 0.5f ? -1.0f : 1.0f);
+		const float width = code % CARD_CODES == static_cast<int>(CardTurn::side) ? 1.0f - cap : 1.0f;
+		const float across = glm::length(aside - axis * along) * (cards.uvs[i].x < 0.5f ? -width : width);
 		const glm::vec3 beside = glm::cross(eye, axis);
 		const glm::vec3 side = beside / std::max(glm::length(beside), 1e-6f);
 		points[static_cast<size_t>(i)] = middle + side * across + glm::cross(side, eye) * along;
