@@ -65,9 +65,9 @@ public:
 
 	CardStrip make_strip(int rows) const {
 		const CardShape shape = sheet.groups[static_cast<size_t>(own.group)].shape;
-		const CardTurn turn = shape == CardShape::flat				? CardTurn::fixed
+		const CardTurn turn = shape == CardShape::flat				   ? CardTurn::fixed
 				: sheet.groups[static_cast<size_t>(own.group)].has_cap ? CardTurn::side
-																	: CardTurn::turned;
+																	   : CardTurn::turned;
 		CardStrip strip = begin(layer, layer_of(own.group), turn);
 		const glm::vec2 covered = covered_rows(layer);
 		const glm::vec3 centre = shape == CardShape::ball ? row_at(along_of(0.5f)).middle : glm::vec3(0.0f);
