@@ -97,7 +97,9 @@ void FieldRuntime::poll_tiles(bool physics) {
 	}
 	const Stopwatch watch;
 	const bool was_building = tiles.is_building();
-	tiles.resume(tile_scene(), physics, region_builds.allows_edits());
+	if (tiles.resume(tile_scene(), physics, region_builds.allows_edits())) {
+		show_soon(); // No step uploads the poses of a field that is not simulated.
+	}
 	repeat_edits();
 	tiles_usec = physics ? tiles_usec : watch.usec();
 	if (report_tile_fault(was_building) || !was_building) {

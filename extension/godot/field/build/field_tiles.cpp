@@ -250,11 +250,11 @@ bool FieldTiles::resume(const Scene &scene, TileBuild &job, bool edits, double u
 	return false;
 }
 
-void FieldTiles::resume(const Scene &scene, bool physics, bool edits) {
+bool FieldTiles::resume(const Scene &scene, bool physics, bool edits) {
 	const Stopwatch watch;
 	poll_ground(scene, physics);
 	if (physics) {
-		return;
+		return false;
 	}
 	choose(scene);
 	while (edits && !to_remove.empty() && watch.usec() < scene.budget_usec) {
@@ -263,6 +263,7 @@ void FieldTiles::resume(const Scene &scene, bool physics, bool edits) {
 	}
 	while (watch.usec() < scene.budget_usec && begin(scene)) { // First, because workers run parallel to this thread.
 	}
+	const auto count = scene.store.plant_count();
 	for (size_t i = 0; i < jobs.size();) {
 		if (resume(scene, *jobs[i], edits, scene.budget_usec, watch)) {
 			querying = querying == jobs[i].get() ? nullptr : querying;
@@ -272,6 +273,7 @@ void FieldTiles::resume(const Scene &scene, bool physics, bool edits) {
 			i++;
 		}
 	}
+	return scene.store.plant_count() != count;
 }
 
 } // namespace undergrowth

@@ -61,7 +61,8 @@ public:
 
 	/// Continues in a physics frame or another frame: chooses tiles from time to time, removes and builds them.
 	/// `edits`: the store may be edited. One call uses a part of a millisecond, and the next one continues its work.
-	void resume(const Scene &scene, bool physics, bool edits);
+	/// Returns true if plants were added.
+	bool resume(const Scene &scene, bool physics, bool edits);
 	/// Cancels all unfinished tiles, removes their plants, and starts them again later.
 	void interrupt(const Scene &scene);
 	/// The same for tiles that meet a box (m, field axes).
