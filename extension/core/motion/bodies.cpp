@@ -115,9 +115,9 @@ bool push_point(
 	return true;
 }
 
-/// Pushes one point of a stem, as push_point() pushes a straight plant.
-bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &rest, const glm::vec3 &root, float length,
-		float x, float thickness, const MovingBody &body) {
+/// Pushes one point of a stem, the one at x, as push_point() pushes a straight plant.
+bool push_place(const StemConstants &stem, const StemPoint &pushed, StemState &state, const glm::vec2 &rest,
+		const glm::vec3 &root, float length, float x, float thickness, const MovingBody &body) {
 	const StemPlace place = stem_place(stem, state.place, x);
 	const glm::vec3 point = root + length * turned(place.centre, rest);
 	const glm::vec3 direction = turned(from_stereographic(place.bend), rest);
@@ -134,10 +134,12 @@ bool push_place(const StemConstants &stem, StemState &state, const glm::vec2 &re
 	}
 	along = turned(along / size, -rest);
 	const float scale = stem.length / length;
-	push_stem(stem, state, x, along * (depth / std::max(size, MIN_TANGENT)), scale);
-	const float inward = glm::dot(stem_velocity(stem, state, x, scale) - turned(body.velocity, -rest), along);
+	push_stem(stem, state, pushed, place.bend, along * (depth / std::max(size, MIN_TANGENT)), scale);
+	const glm::vec2 bend = stem_bend(stem, state.place, x);
+	const glm::vec3 velocity = stem_velocity(stem, state, pushed, bend, scale);
+	const float inward = glm::dot(velocity - turned(body.velocity, -rest), along);
 	if (inward < 0.0f) {
-		apply_stem_impulse(stem, state, x, along * (-inward * stem_mass(stem, x)), scale);
+		apply_stem_impulse(stem, state, pushed, bend, along * (-inward * pushed.mass), scale);
 	}
 	return true;
 }
@@ -205,6 +207,9 @@ public:
 			core.half_inverse[k] = inverse_square(ways[k + 1]);
 		}
 		core.is_box = core.half_inverse[0] + core.half_inverse[1] > 0.0f;
+		for (int part = 1; part <= PUSHED_PLACES; part++) {
+			points[part - 1] = stem_point(stem, share_of(part));
+		}
 	}
 
 	/// Writes for each stem which of its halves may be in the body.
@@ -225,12 +230,12 @@ public:
 		const float slack = slack_of(root, length);
 		bool is_inside = false;
 		uint32_t near = near_places(turned_core, state, length, slack);
-		for (int part = first; part <= (is_inside ? PUSHED_PLACES : last); part++) {
-			const float x = static_cast<float>(part) / PUSHED_PLACES;
+		for (int part = first; part <= (is_inside ? PUSHED_PLACES : last) && near >> part != 0u; part++) {
 			if ((near >> part & 1u) != 0u &&
-					push_place(stem, state, rest, root, length, x, part == PUSHED_PLACES ? thickness : 0.0f, body)) {
+					push_place(stem, points[part - 1], state, rest, root, length, share_of(part),
+							part == PUSHED_PLACES ? thickness : 0.0f, body)) {
 				is_inside = true;
-				near = near_places(turned_core, state, length, slack);
+				near = part < PUSHED_PLACES ? near_places(turned_core, state, length, slack) : 0u;
 			}
 		}
 		return is_inside;
@@ -249,8 +254,11 @@ private:
 	const MovingBody &body;
 	const KernelSet &set;
 	StemCurve curve;
+	StemPoint points[PUSHED_PLACES];
 	glm::vec3 ways[3];
 	BodyCore core;
+
+	static float share_of(int part) { return static_cast<float>(part) / PUSHED_PLACES; }
 
 	/// A bit for each place that may be in the body, 1 to PUSHED_PLACES.
 	uint32_t near_places(const BodyCore &turned_core, const StemState &state, float length, float slack) const {
@@ -270,24 +278,41 @@ private:
 
 static_assert(PUSHED_PLACES == StemCurve::PLACES && REACH_ROWS == NearStems::MAX, "as many as kernels examine");
 
-/// Columns of the plants of a page with these indices.
-void gather_stems(const MotionPage &page, const PageFrame &frame, const int *indices, int count, NearStems &stems) {
+void gather(const float *column, const int *indices, int count, float *to) {
 	for (int i = 0; i < count; i++) {
-		const int index = indices[i];
-		const StemState state = page.stem(index);
-		const glm::vec2 rest = page.rest_bend(index);
-		const glm::vec3 root = frame.inward(page.root(index));
-		for (int k = 0; k < MAX_STEM_MODES; k++) {
-			stems.x[k][i] = state.place[k].x;
-			stems.z[k][i] = state.place[k].y;
-		}
-		stems.rest_x[i] = rest.x;
-		stems.rest_z[i] = rest.y;
+		to[i] = column ? column[indices[i]] : 0.0f;
+	}
+}
+
+/// Repeats the last index up to the next whole group: kernels are slow at what remains beside whole groups. Returns the
+/// number with repeats.
+int fill_group(int *indices, int count) {
+	constexpr int GROUP = 8;
+	static_assert(REACH_ROWS % GROUP == 0, "has room");
+	const int whole = (count + GROUP - 1) / GROUP * GROUP;
+	std::fill(indices + count, indices + whole, indices[count - 1]);
+	return whole;
+}
+
+/// Columns of the plants of a page with these indices. `rows`: all of the page.
+void gather_stems(const MotionPage &page, const StemPage &rows, const PageFrame &frame, const int *indices, int count,
+		NearStems &stems) {
+	for (int k = 0; k < MAX_STEM_MODES; k++) {
+		gather(rows.x[k], indices, count, stems.x[k]);
+		gather(rows.z[k], indices, count, stems.z[k]);
+	}
+	gather(rows.rest_x, indices, count, stems.rest_x);
+	gather(rows.rest_z, indices, count, stems.rest_z);
+	gather(page.lengths(), indices, count, stems.length);
+	gather(page.roots_x(), indices, count, stems.root_x);
+	gather(page.roots_y(), indices, count, stems.root_y);
+	gather(page.roots_z(), indices, count, stems.root_z);
+	for (int i = 0; i < count; i++) {
+		const glm::vec3 root = frame.inward({ stems.root_x[i], stems.root_y[i], stems.root_z[i] });
 		stems.root_x[i] = root.x;
 		stems.root_y[i] = root.y;
 		stems.root_z[i] = root.z;
-		stems.length[i] = page.length(index);
-		stems.half[i] = 0.5f * SLACK * page.length(index) + 2.0f * StemPush::slack_of(root, page.length(index));
+		stems.half[i] = 0.5f * SLACK * stems.length[i] + 2.0f * StemPush::slack_of(root, stems.length[i]);
 	}
 }
 
@@ -364,9 +389,8 @@ int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int
 			is_any_near |= beyond[i] <= 0.0f ? 1 : 0;
 		}
 		for (int i = first; is_any_near && i < std::min(first + GROUP, end); i++) {
-			if (beyond[i - first] <= 0.0f && lengths[i] > 0.0f) {
-				indices[count++] = i;
-			}
+			indices[count] = i; // Without a branch: about half of them are in reach.
+			count += static_cast<int>(beyond[i - first] <= 0.0f) & static_cast<int>(lengths[i] > 0.0f);
 		}
 	}
 	return count;
@@ -409,32 +433,36 @@ static int push_stems(MotionPage &page, const MovingBody &body, const PageFrame 
 	const float thickness = std::max(page.collision_radius(), 0.0f);
 	MovingBody seen = turned_inward(body, frame);
 	const StemPush push(page.stem_constants(), thickness, seen);
+	const StemPage rows = page.stem_page(0);
 	int touched = 0;
-	for_each_block_in_reach(page, body, [&](const int *indices, int count) {
+	for_each_block_in_reach(page, body, [&](int *indices, int count) {
 		NearStems stems;
 		int32_t halves[NearStems::MAX];
-		gather_stems(page, frame, indices, count, stems);
-		push.find_near(stems, count, halves);
+		MovedStems pushed;
+		const int whole = fill_group(indices, count);
+		gather_stems(page, rows, frame, indices, whole, stems);
+		push.find_near(stems, whole, halves);
 		for (int i = 0; i < count; i++) {
-			const int index = indices[i];
 			if (halves[i] == 0) {
 				continue;
 			}
-			seen.velocity =
-					frame.inward(frame.velocities ? lesser_velocity(body, frame.velocities[index]) : body.velocity);
-			StemState stem = page.stem(index);
+			if (frame.velocities) {
+				seen.velocity = frame.inward(lesser_velocity(body, frame.velocities[indices[i]]));
+			}
+			StemState state = page.stem(indices[i]);
 			const glm::vec3 root = { stems.root_x[i], stems.root_y[i], stems.root_z[i] };
-			if (push.push(stem, page.rest_bend(index), root, page.length(index), halves[i])) {
-				page.set_stem(index, stem);
-				touched++;
+			if (push.push(state, { stems.rest_x[i], stems.rest_z[i] }, root, stems.length[i], halves[i])) {
+				pushed.add(indices[i], state);
 			}
 		}
+		page.set_stems(pushed);
+		touched += pushed.count;
 	});
 	return touched;
 }
 
 int push_plants(MotionPage &page, const MovingBody &body, const PageFrame &frame) {
-	if (!page.swings() || !is_valid(body) || !boxes_overlap(page, body)) {
+	if (!page.swings() || !boxes_overlap(page, body) || !is_valid(body)) {
 		return 0;
 	}
 	if (page.law() == Law::stem) {

@@ -96,7 +96,8 @@ int rows_in_reach(const MotionPage &page, const BodyReach &reach, int begin, int
 /// True if the boxes of page and body overlap.
 bool boxes_overlap(const MotionPage &page, const MovingBody &body);
 
-/// Calls visit(indices, count) with the plants that may be in reach, REACH_ROWS at most per call.
+/// Calls visit(indices, count) with the plants that may be in reach, REACH_ROWS at most per call. `indices` has
+/// room for REACH_ROWS.
 template <class Visit>
 void for_each_block_in_reach(const MotionPage &page, const MovingBody &body, const Visit &visit) {
 	if (!boxes_overlap(page, body)) {

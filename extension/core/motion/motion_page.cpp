@@ -360,14 +360,46 @@ void MotionPage::put_stem(int index, const StemState &state) {
 }
 
 void MotionPage::set_stem(int index, const StemState &state) {
-	put_stem(index, safe_stem(kind.stem, state));
-	kernels(best_simd_level()).lift_stems(stem_page(index), 1);
+	MovedStems one;
+	one.add(index, state);
+	set_stems(one);
+}
+
+void MotionPage::set_stems(MovedStems &moved) {
+	if (moved.count == 0) {
+		return;
+	}
+	StemPage page = stem_page(0);
+	float rests[2][MovedStems::MAX];
+	for (int i = 0; i < moved.count; i++) {
+		moved.put(i, safe_stem(kind.stem, moved.at(i)));
+		rests[0][i] = page.rest_x[moved.index[i]];
+		rests[1][i] = page.rest_z[moved.index[i]];
+	}
+	for (int k = 0; k < kind.stem.modes; k++) {
+		page.x[k] = moved.place_x[k];
+		page.z[k] = moved.place_z[k];
+		page.rate_x[k] = moved.rate_x[k];
+		page.rate_z[k] = moved.rate_z[k];
+	}
+	page.rest_x = rests[0];
+	page.rest_z = rests[1];
+	kernels(best_simd_level()).lift_stems(page, moved.count);
+	for (int i = 0; i < moved.count; i++) {
+		const StemState lifted = moved.at(i);
+		put_stem(moved.index[i], lifted);
+		put_bends(moved.index[i], bends_of(kind.stem, lifted, { rests[0][i], rests[1][i] }));
+	}
+}
+
+/// The drawn bends after the last step.
+void MotionPage::put_bends(int index, const StemBends &bends) {
+	const std::size_t now = 2 * static_cast<std::size_t>(index) + 1;
 	if (has_bends()) {
-		const StemBends now = bends_of(kind.stem, stem(index), rest_bend(index));
-		pairs[2 * static_cast<std::size_t>(index) + 1] = now.first;
-		if (has_second_bends()) {
-			second_pairs[2 * static_cast<std::size_t>(index) + 1] = now.second;
-		}
+		pairs[now] = bends.first;
+	}
+	if (has_bends() && has_second_bends()) {
+		second_pairs[now] = bends.second;
 	}
 }
 

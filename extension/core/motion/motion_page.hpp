@@ -17,6 +17,36 @@
 
 namespace undergrowth {
 
+/// New states of some stems of a page, in columns, for one call of a kernel.
+struct MovedStems {
+	static constexpr int MAX = 64;
+	int count = 0;
+	int index[MAX];
+	float place_x[MAX_STEM_MODES][MAX], place_z[MAX_STEM_MODES][MAX];
+	float rate_x[MAX_STEM_MODES][MAX], rate_z[MAX_STEM_MODES][MAX];
+
+	void add(int row, const StemState &state) {
+		index[count] = row;
+		put(count++, state);
+	}
+	void put(int i, const StemState &state) {
+		for (int k = 0; k < MAX_STEM_MODES; k++) {
+			place_x[k][i] = state.place[k].x;
+			place_z[k][i] = state.place[k].y;
+			rate_x[k][i] = state.rate[k].x;
+			rate_z[k][i] = state.rate[k].y;
+		}
+	}
+	StemState at(int i) const {
+		StemState state;
+		for (int k = 0; k < MAX_STEM_MODES; k++) {
+			state.place[k] = { place_x[k][i], place_z[k][i] };
+			state.rate[k] = { rate_x[k][i], rate_z[k][i] };
+		}
+		return state;
+	}
+};
+
 /// A batch of plants of one species in struct-of-arrays layout, stepped together by a whole number of base steps. All
 /// simulated plants are in pages: a field has many pages with bends for textures, and `Plant3D`s share pages with
 /// directions.
@@ -118,6 +148,10 @@ public:
 	const StemConstants &whole_stem() const { return whole; }
 	StemState stem(int index) const;
 	void set_stem(int index, const StemState &state);
+	/// The same for several plants. Leaves in `moved` what they have then.
+	void set_stems(MovedStems &moved);
+	/// What kernels read and write, from row `begin` on.
+	StemPage stem_page(int begin);
 	/// Amplitudes before the last step, for pages with directions.
 	StemState stem_before(int index) const;
 	void set_stem_before(int index, const StemState &state);
@@ -222,7 +256,6 @@ private:
 	const float *column(int which) const { return rows.column(which); }
 	ElasticityPage elasticity_page(int begin);
 	SpringPage spring_page(int begin);
-	StemPage stem_page(int begin);
 	/// For the plants from `begin` on, or up to `end`.
 	void update_constants(int begin) { update_constants(begin, size()); }
 	void update_constants(int begin, int end);
@@ -232,6 +265,7 @@ private:
 	void put_place(int index, const MotionPlant &plant);
 	void put_state(int index, const TipState &state);
 	void put_stem(int index, const StemState &state);
+	void put_bends(int index, const StemBends &bends);
 	void change_columns(const MotionSpecies &species);
 	bool has_same_columns(const MotionSpecies &species) const;
 	bool has_room_for_second() const { return has_bends() && max_modes() == 2; }

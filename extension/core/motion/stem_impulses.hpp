@@ -12,6 +12,14 @@ namespace undergrowth {
 
 inline constexpr float ON_HEAD = 2.0f;
 
+/// What all plants of a species have in common at x: computed once for many plants.
+struct StemPoint {
+	float deflection[MAX_STEM_MODES]; ///< φ of the modes (m).
+	float give; ///< 2·Σ φ²/stiffness (m/N), not too small to divide by.
+	float mass; ///< kg, stem_mass().
+};
+StemPoint stem_point(const StemConstants &stem, float x);
+
 /// m/s, of a place. Along the stem nothing moves.
 glm::vec3 stem_velocity(const StemConstants &stem, const StemState &state, float x, float scale);
 
@@ -25,5 +33,13 @@ void apply_stem_impulse(const StemConstants &stem, StemState &state, float x, co
 /// Moves a point by `way` (m) across the stem with minimum bending energy, like a slow push. For moves that are small
 /// relative to the stem.
 void push_stem(const StemConstants &stem, StemState &state, float x, const glm::vec3 &way, float scale);
+
+// The same with a known point. `bend`: stem_bend() there.
+glm::vec3 stem_velocity(
+		const StemConstants &stem, const StemState &state, const StemPoint &point, const glm::vec2 &bend, float scale);
+void apply_stem_impulse(const StemConstants &stem, StemState &state, const StemPoint &point, const glm::vec2 &bend,
+		const glm::vec3 &impulse, float scale);
+void push_stem(const StemConstants &stem, StemState &state, const StemPoint &point, const glm::vec2 &bend,
+		const glm::vec3 &way, float scale);
 
 } // namespace undergrowth

@@ -42,6 +42,9 @@ glm::vec2 rate_of_bend(const glm::vec3 &direction, const glm::vec3 &rate) {
 /// `v`, shortened to `max` if it is longer; zero if it is not a number.
 glm::vec2 no_longer(const glm::vec2 &v, float max) {
 	const float largest = std::max(std::fabs(v.x), std::fabs(v.y));
+	if (largest > 0.0f && glm::dot(v, v) < 0.999f * max * max) {
+		return v; // Surely no longer, without a division and a root.
+	}
 	if (!std::isfinite(v.x) || !std::isfinite(v.y) || largest <= 0.0f) {
 		return { 0.0f, 0.0f };
 	}
