@@ -2,7 +2,7 @@
 extends "res://tests/engine/picture_harness.gd"
 
 const SIDE := 300
-const SPECIES: Array[String] = ["male_fern", "common_reed", "wheat", "red_clover"]
+const SPECIES: Array[String] = ["male_fern", "common_reed", "wheat"]
 const THINNED := 7.5  # m: beyond this distance fewer plants are drawn, which are wider.
 const LOW := 0.3  # Angles of the camera above the plant, rad.
 const HIGH := 1.1

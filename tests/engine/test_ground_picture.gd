@@ -20,7 +20,9 @@ func after_each() -> void:
 
 
 func test_ground_beyond_the_last_plants_continues_their_colour() -> void:
-	var grounds: Dictionary[String, String] = {"meadow_grass": "meadow", "wheat": "field_soil"}
+	var grounds: Dictionary[String, String] = {
+		"mixes/meadow.tscn": "meadow", "species/wheat.tres": "field_soil"
+	}
 	for file in grounds:
 		await _make_stage(file, grounds[file])
 		var shown := await picture()
@@ -33,7 +35,7 @@ func test_ground_beyond_the_last_plants_continues_their_colour() -> void:
 
 
 func test_bare_ground_shows_where_the_field_ends() -> void:
-	await _make_stage("meadow_grass", "field_soil")
+	await _make_stage("species/meadow_grass.tres", "field_soil")
 	var field: PlantField3D = _ground.get(&"field")
 	var shown := await picture()
 	var continued := _mean(shown, END + 8.0, END + 20.0)
@@ -92,7 +94,7 @@ func test_a_layer_lies_over_another_material() -> void:
 	check(blue > 500 and brown > 500, "%d pixels of the material, %d of litter" % [blue, brown])
 
 
-# A field of [param file] in front of the camera, on ground that continues to the horizon.
+# A field of a species or mix [param file] in front of the camera, on ground to the horizon.
 func _make_stage(file: String, ground: String = "meadow") -> void:
 	stage = SubViewport.new()
 	stage.size = SIZE
@@ -115,11 +117,14 @@ func _make_stage(file: String, ground: String = "meadow") -> void:
 	plane.material = load(GROUNDS + ground + ".tres")
 	_ground.mesh = plane
 	if file:
-		var field := PlantField3D.from_species(
-			[load("res://addons/undergrowth/species/%s.tres" % file)]
-		)
+		var resource := load("res://addons/undergrowth/" + file)
+		var field: PlantField3D
+		if resource is PackedScene:
+			field = (resource as PackedScene).instantiate()
+		else:
+			field = PlantField3D.from_species([resource as PlantFunction])
+			field.density = 30.0
 		field.size = Vector2(12, 26)
-		field.density = 30.0
 		field.simulation_enabled = false
 		field.position.z = -END + 13.0
 		stage.add_child(field)

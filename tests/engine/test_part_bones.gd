@@ -181,7 +181,7 @@ func test_a_plant_of_another_species_has_its_bones_only() -> void:
 	check(_plant.get_skeleton().get_bone_count() > 2, "a tulip of parts")
 	_plant.species = TulipFunction.new()
 	check_equal(_plant.get_skeleton().get_bone_count(), 2, "bones of a lathe")
-	_plant.species = _load("meadow_grass")
+	_plant.species = _load("lawn_grass")
 	check(_plant.get_skeleton().find_bone("tuft_1") >= 2, "grass")
 
 

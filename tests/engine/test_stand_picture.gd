@@ -7,7 +7,9 @@ const SIZE := Vector2i(640, 360)
 const VIEW_DEGREES := 42.0
 ## Side of the squares (pixels) in which the direction of blades is measured.
 const SQUARE := 40
-const MIN_VALUE_RANGE := 9.0
+## Of this part of the view. All of it, with 1280 by 720 pixels, has 0.5 and 21.
+const MIN_COHERENCE := 0.35
+const MIN_VALUE_RANGE := 12.0
 
 
 func before_each() -> void:
@@ -33,6 +35,7 @@ func test_a_default_field_has_direction_and_depth() -> void:
 	camera.look_at_from_position(Vector3(0, 1.7, 7.0), Vector3(0, 0.2, 4.2))
 	var shown := await _drawn(field)
 	var coherence := _coherence_of(shown)
+	check(coherence >= MIN_COHERENCE, "coherence of blade directions: %.2f" % coherence)
 	var values := _values_of(shown)
 	values.sort()
 	var count := values.size()
@@ -41,7 +44,7 @@ func test_a_default_field_has_direction_and_depth() -> void:
 	check(spread >= MIN_VALUE_RANGE, "range of values: %.1f" % spread)
 	field.combed = 0.0
 	var free := _coherence_of(await _drawn(field))
-	check(free < coherence - 0.03, "without combing: %.2f, with it %.2f" % [free, coherence])
+	check(free < coherence - 0.1, "without combing: %.2f, with it %.2f" % [free, coherence])
 
 
 ## Returns the picture. Few frames are drawn, because that is slow in software.

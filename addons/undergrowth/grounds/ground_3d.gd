@@ -10,12 +10,14 @@ extends MeshInstance3D
 const MASK_SIZE := 128
 ## Maximum number of plants that the picture counts. Of more plants it counts evenly chosen ones.
 const MASK_PLANTS := 20000
-const SEGMENTS := 12
+## Few, as of distant plants: the many parts of a head that hide each other count once.
+const SEGMENTS := 3
 const SEEDS := 3
 ## Layers of height by which tall plants hide low ones.
 const LAYERS := 48
-## Extinction of the view per m² of leaves on a m² of ground, for a view 6.5° below the horizon.
-const EXTINCTION := 1.0 / 0.113
+## Extinction of the view per m² of leaves on a m² of ground. Evenly spread leaves would have 4.4 in
+## a view 6.5° below the horizon. Those of plants overlap, and leave gaps.
+const EXTINCTION := 1.5
 
 ## The field on this ground.
 @export var field: PlantField3D

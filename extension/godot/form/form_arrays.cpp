@@ -139,7 +139,8 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	}
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
-	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty() };
+	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty(),
+		!cards.is_empty() && cards.rest.body_count > 0 };
 }
 
 } // namespace undergrowth

@@ -98,8 +98,9 @@ public:
 	/// Samples the plant for a mesh. If `height` is 0, the function generates it. Returns what is wrong and what to do,
 	/// or an empty string.
 	godot::String sample(double height, int segments, int64_t seed, SampledPlant &result);
-	/// Returns the cards of a species of parts (form/shared_cards.hpp); null if its plants cannot grow.
-	std::shared_ptr<SharedCards> find_cards() { return growth.cards(*this); }
+	/// Returns the cards of a species of parts (form/shared_cards.hpp). Null if its plants cannot grow, and of species
+	/// with a script, which would grow one plant more.
+	std::shared_ptr<SharedCards> find_cards();
 	// The functions for sampling: results of a script, or else of the native species. On a fault they set `problem`
 	// (what is wrong and what to do) and return an empty or zero result.
 	godot::PackedVector3Array call_base_shape(int lod, godot::String &problem);

@@ -87,6 +87,10 @@ bool PlantFunction::call_grow(const Ref<PlantGrowth> &plant, String &problem) {
 	return false;
 }
 
+std::shared_ptr<SharedCards> PlantFunction::find_cards() {
+	return get_script().get_type() == Variant::NIL ? growth.cards(*this) : nullptr;
+}
+
 PackedVector3Array PlantFunction::get_base_shape(int lod) {
 	String problem;
 	const PackedVector3Array shape = call_base_shape(lod, problem);

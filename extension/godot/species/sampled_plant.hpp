@@ -25,6 +25,7 @@ struct MeshArrays {
 	godot::Ref<godot::Material> material; ///< Null: the add-on's material.
 	bool has_parts = false;
 	bool has_cards = false;
+	bool has_bodies = false; ///< Beside cards: solid shapes in place of several parts.
 
 	/// Largest distance from the axis (m), deviations included.
 	float width() const;

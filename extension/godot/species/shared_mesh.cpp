@@ -100,6 +100,7 @@ void SharedMesh::build_locked() {
 		arrays = plant.build_arrays(&built_from_above);
 		built_width = arrays.width();
 		built_has_cards = arrays.has_cards;
+		built_has_bodies = arrays.has_bodies;
 		is_built = true;
 	}
 }

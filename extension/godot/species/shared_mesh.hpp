@@ -37,6 +37,8 @@ public:
 	godot::Vector2 from_above() const { return built_from_above; }
 	/// True if it contains cards. Call after build().
 	bool has_cards() const { return built_has_cards; }
+	/// True if solid shapes replace several parts beside the cards.
+	bool has_bodies() const { return built_has_bodies; }
 	/// Returns the error of the outline (m) of a plant of parts. Builds the arrays if necessary. Any thread.
 	float outline_error(const LevelError &whole);
 
@@ -48,6 +50,7 @@ private:
 	godot::Ref<godot::ArrayMesh> mesh;
 	float built_width = 0.0f;
 	bool built_has_cards = false;
+	bool built_has_bodies = false;
 	godot::Vector2 built_from_above;
 
 	void build_locked();

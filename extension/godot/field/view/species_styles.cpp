@@ -87,7 +87,8 @@ void SpeciesStyle::load_shader() const {
 	}
 }
 
-// The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards.
+// The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards. Without solid
+// bodies beside them, cards count CARD_SHARE of their error.
 float SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
 	float worst = 0.0f;
 	for (size_t variant = 0; variant < outlines.size(); variant++) {
@@ -101,9 +102,11 @@ float SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std:
 			}
 			measured.push_back(SharedMesh::of(sampled));
 			measured.back()->build();
-			const bool is_missing = has_cards && !measured.back()->has_cards();
-			return is_missing ? std::numeric_limits<float>::infinity()
-							  : measured.back()->outline_error(*outlines[variant]);
+			SharedMesh &mesh = *measured.back();
+			if (has_cards && !mesh.has_cards()) {
+				return std::numeric_limits<float>::infinity();
+			}
+			return (has_cards && !mesh.has_bodies() ? CARD_SHARE : 1.0f) * mesh.outline_error(*outlines[variant]);
 		});
 		worst = std::max(worst, error);
 	}
@@ -123,9 +126,9 @@ void SpeciesStyle::measure() {
 		errors.push_back(measure_level(level, false, outlines));
 		const int segments = segments_at(levels[level]);
 		if (has_cards && segments >= MIN_CARD_SEGMENTS && segments <= MAX_CARD_SEGMENTS) {
-			const float outline = measure_level(level, true, outlines);
+			const float own = measure_level(level, true, outlines);
 			const float finest = *std::min_element(errors.begin(), errors.end());
-			const float allowed = std::min(outline, std::max(CARD_SHARE * outline, finest));
+			const float allowed = std::max(own, std::min(own / CARD_SHARE, finest));
 			const float with_cards = std::max(allowed, TEXELS * texel_of(cards->sheet()));
 			are_carded[level] = with_cards < MIN_CARD_GAIN * errors[level];
 			errors[level] = are_carded[level] ? with_cards : errors[level];
