@@ -34,13 +34,14 @@ void FieldRuntime::rebuild(bool places, bool styles) {
 	has_failed = false;
 	built_before = 0.0f;
 	drop_job();
-	tile_rebuild.stop(tile_scene(), motion);
+	join.stop(tile_scene());
+	tiles.stop_list(tile_scene());
 	tiles.interrupt(tile_scene());
-	region_builds.interrupt();
+	tiles.interrupt_parts();
 	is_due_again = false;
 	if (places) {
 		removed_meanwhile.clear();
-		reports_region_builds = false; // The build reports its own end.
+		reports_parts = false; // The build reports its own end.
 	}
 	const String fault = begin_sampling(places || placed_before);
 	if (fault.is_empty()) {
@@ -60,23 +61,14 @@ void FieldRuntime::restart_build(bool places) {
 
 void FieldRuntime::touch(const AreaBox &box) {
 	if (!sampler || !sampler->places) { // A build that still collects styles reads the map later.
-		region_builds.touch(box, store.tile_size());
-		tiles.interrupt(tile_scene(), box);
-		tile_rebuild.interrupt(tile_scene(), motion, box);
-		prune_region_builds();
+		tiles.touch(tile_scene(), box, store.tile_size());
 	}
-	if ((!is_building() && setup.levels.empty()) || region_builds.touched_tiles() > RegionBuilds::MAX_TILES) {
+	if ((!is_building() && setup.levels.empty()) || tiles.part_count() > DirtyTiles::MAX_PARTS) {
 		rebuild(true, false);
 	}
 }
 
-void FieldRuntime::prune_region_builds() {
-	if (streams()) {
-		region_builds.keep_only([this](const TileKey &tile) { return tiles.contains(tile); });
-	}
-}
-
-FieldTiles::Scene FieldRuntime::tile_scene() {
+DirtyTiles::Scene FieldRuntime::tile_scene() {
 	const auto change = [this](StoreEdit &&edit, ArrivingChunks *chunks) { return apply(std::move(edit), chunks); };
 	const auto fault = [this](const String &why) { tile_fault = why; };
 	FieldSettings built = settings();
@@ -89,78 +81,70 @@ FieldTiles::Scene FieldRuntime::tile_scene() {
 
 // During a build of the whole field, tiles would be placed twice.
 void FieldRuntime::poll_tiles(bool physics) {
-	if (!streams() || is_at_work() || tile_rebuild.is_at_work() || !motion.is_ready()) {
+	const bool was_building = tiles.is_building();
+	if (!(streams() || was_building) || is_at_work() || !motion.is_ready()) {
 		return;
 	}
 	if (!physics) {
 		motion.wait();
 	}
 	const Stopwatch watch;
-	const bool was_building = tiles.is_building();
-	tiles.resume(tile_scene(), physics, region_builds.allows_edits());
+	tiles.resume(tile_scene(), physics);
 	repeat_edits();
 	tiles_usec = physics ? tiles_usec : watch.usec();
-	if (report_tile_fault(was_building) || !was_building) {
-		return;
-	}
-	if (tiles.is_building()) {
+	report_tile_fault(was_building);
+	if (was_building && !tiles.is_building()) {
+		finish_tiles();
+	} else if (was_building) {
 		report_progress(progress());
-		return;
 	}
+}
+
+void FieldRuntime::finish_tiles() {
 	tiles.query_queue().take_findings(ground_queue);
 	tiles.query_queue().report_all(node);
 	listener.no_ground(tiles.query_queue().missing_ground());
+	if (streams()) {
+		report_progress(1.0f);
+		finish_build();
+	} else {
+		join.begin(tile_scene());
+		report_progress(progress());
+	}
+}
+
+void FieldRuntime::poll_join() {
+	if (!join.is_at_work()) {
+		return;
+	}
+	if (!join.resume(tile_scene())) {
+		report_progress(progress());
+		return;
+	}
+	setup.is_of_tiles = false;
 	report_progress(1.0f);
 	finish_build();
 }
 
-void FieldRuntime::poll_tile_rebuild(bool physics) {
-	if (!tile_rebuild.is_at_work() || is_at_work()) {
+void FieldRuntime::poll_parts(DirtyTiles::Moment moment, double delta) {
+	if (is_at_work() || !motion.is_ready() || !tiles.is_building_parts()) {
 		return;
 	}
-	if (!physics) {
-		motion.wait();
-	}
-	tile_rebuild.resume(tile_scene(), { motion, !streams() }, physics);
-	repeat_edits();
-	report_tile_fault(true);
-	if (tile_rebuild.is_at_work()) {
-		report_progress(progress());
-		return;
-	}
-	tile_rebuild.query_queue().take_findings(ground_queue);
-	tile_rebuild.query_queue().report_all(node);
-	listener.no_ground(tile_rebuild.query_queue().missing_ground());
-	if (!streams()) {
-		join_tiles();
-	}
-	report_progress(progress());
-	if (streams()) {
-		finish_build();
-	}
-}
-
-void FieldRuntime::poll_region_builds(RegionBuilds::Moment moment, double delta) {
-	if (is_at_work() || is_placing() || !motion.is_ready() || !region_builds.is_at_work()) {
-		return;
-	}
-	prune_region_builds();
-	if (region_builds.resume(tile_scene(), moment, ground_usec(delta))) {
+	if (tiles.resume_parts(tile_scene(), moment, ground_usec(delta))) {
 		show_soon();
 	}
 	report_tile_fault(false);
 }
 
-void FieldRuntime::follow_strokes(RegionBuilds::Moment moment, double delta) {
+void FieldRuntime::follow_strokes(DirtyTiles::Moment moment, double delta) {
 	const FrameCost::Share share(build_cost);
-	poll_region_builds(moment, delta);
+	poll_parts(moment, delta);
 }
 
 void FieldRuntime::drop_job() {
 	motion.cancel_transfer();
 	view.forget_prepared();
-	joins = false;
-	if (job && job->has_materials) {
+	if (job && job->handover != FieldBuild::Handover::none) {
 		job->cancel();
 		retired.push_back(std::move(job->finish().setup));
 	}
@@ -169,7 +153,7 @@ void FieldRuntime::drop_job() {
 
 // Prepares the build over some frames, undrawn, and transfers motion. Then the build replaces the old field.
 bool FieldRuntime::make_ready() {
-	if (job->has_begun_transfer) {
+	if (is_transferring()) {
 		return !motion.is_transferring();
 	}
 	if (job->fault() != PlacementFault::none) {
@@ -182,7 +166,7 @@ bool FieldRuntime::make_ready() {
 			return false;
 		}
 	}
-	if (!std::exchange(job->has_materials, true)) {
+	if (std::exchange(job->handover, FieldBuild::Handover::shown) == FieldBuild::Handover::none) {
 		has_other_materials = false;
 		materials.make(next_setup);
 		materials.hide(next_setup);
@@ -200,19 +184,19 @@ bool FieldRuntime::make_ready() {
 	if (!result.describe_fault().is_empty()) {
 		return true;
 	}
-	job->has_begun_transfer = true;
+	job->handover = FieldBuild::Handover::transferring;
 	motion.begin_transfer(*result.motion, result.matches);
 	return !motion.is_transferring();
 }
 
 void FieldRuntime::poll(double delta, bool physics) {
 	const FrameCost::Share share(build_cost);
-	is_polling = true;
-	poll_parts(delta, physics);
-	is_polling = false;
+	const Caller before = std::exchange(caller, is_urgent() ? caller : Caller::frame);
+	poll_all(delta, physics);
+	caller = before;
 }
 
-void FieldRuntime::poll_parts(double delta, bool physics) {
+void FieldRuntime::poll_all(double delta, bool physics) {
 	if (!physics) {
 		view.flush_if_undrawn();
 	}
@@ -220,23 +204,26 @@ void FieldRuntime::poll_parts(double delta, bool physics) {
 		retired.clear();
 		retired_materials.clear();
 	}
-	poll_tiles(physics);
-	poll_tile_rebuild(physics);
-	poll_region_builds(physics ? RegionBuilds::Moment::physics : RegionBuilds::Moment::begun, delta);
+	if (physics || phase() != Phase::joining) { // Each of both uses the budget of a frame.
+		poll_tiles(physics);
+	} else {
+		poll_join();
+	}
+	poll_parts(physics ? DirtyTiles::Moment::physics : DirtyTiles::Moment::begun, delta);
 	if (!physics) {
 		skeletons.release_left();
 	}
-	if (sampler && !physics && (is_urgent || (sampler->is_due() && FrameBudget::of_fields().is_left()))) {
+	if (sampler && !physics && (is_urgent() || (sampler->is_due() && FrameBudget::of_fields().is_left()))) {
 		resume_sampling();
 	}
 	if (job && job->needs_ground()) {
 		serve_ground(delta, physics);
 	}
-	if (job && (physics || is_urgent || FrameBudget::of_fields().is_left())) {
+	if (job && (physics || is_urgent() || FrameBudget::of_fields().is_left())) {
 		poll_job(physics);
 	}
-	if (reports_region_builds && !is_at_work() && !is_building() && !is_building_regions()) {
-		reports_region_builds = false;
+	if (reports_parts && !is_at_work() && !is_building() && !is_building_parts()) {
+		reports_parts = false;
 		finish_build();
 	}
 }
@@ -257,14 +244,13 @@ void FieldRuntime::serve_ground(double delta, bool physics) {
 void FieldRuntime::poll_job(bool physics) {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	const bool is_done = !physics && job->is_planned() && make_ready();
-	const bool reports = job->places() || joins;
+	const bool reports = job->places();
 	if (!is_done) {
 		if (reports) {
 			report_progress(progress());
 		}
 		return;
 	}
-	joins = false;
 	const std::unique_ptr<FieldBuild> finished = std::move(job);
 	const bool is_adopted = adopt(*finished);
 	clearing.start(finished->take_garbage());
@@ -290,8 +276,8 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 		return false;
 	}
 	motion.wait();
+	tiles.interrupt(tile_scene());
 	skeletons.release_all(motion);
-	tiles.forget_style();
 	retired.push_back(std::exchange(setup, std::move(result.setup))); // Drawn multimeshes use it.
 	has_felt = false;
 	// Species with rest directions, or texels for those, that differ from the build's.
@@ -327,14 +313,14 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	view.show_all_added(setup, motion, store);
 	unseen.clear();
 	frames_since_box = 0;
-	region_builds.forget_unseen();
+	tiles.forget_undrawn();
 	if (finished.places() && !ground.needs_queries()) {
 		listener.no_ground(String());
 	}
 	if (finished.places()) {
 		is_of_tiles = streams();
 		placed_area.store_shapes(finished.request());
-		tiles.set_existing(streams() ? finished.tiles() : std::vector<TileKey>(), finished.request());
+		tiles.set_existing(tile_scene(), streams() ? finished.tiles() : std::vector<TileKey>(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	for (const Repeated &one : repeated) {

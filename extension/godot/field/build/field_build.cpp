@@ -88,17 +88,17 @@ std::function<void()> FieldBuild::take_garbage() {
 void FieldBuild::work(void *self) {
 	FieldBuild *build = static_cast<FieldBuild *>(self);
 	if (build->stage == Stage::placing) {
-		if (build->input.places) {
+		if (build->places()) {
 			build->place();
 		} else {
 			build->placed = gather_plants(build->input.existing, build->input.species_numbers);
 			build->result.spacing = build->input.existing.spacing;
 		}
-		if (build->input.places && build->input.ground.needs_queries() && build->placed.size() > 0) {
+		if (build->places() && build->input.ground.needs_queries() && build->placed.size() > 0) {
 			build->stage = Stage::placed;
 			return;
 		}
-		if (build->input.places) {
+		if (build->places()) {
 			build->input.ground.look_up(build->placed, build->heights, build->normals);
 		}
 	}

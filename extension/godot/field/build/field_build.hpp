@@ -28,9 +28,9 @@ struct BuildInput {
 	bool draws_tiles = false; ///< No multimesh spans more than one tile.
 	bool is_of_tiles = false; ///< Builds only `tiles`.
 	std::vector<TileKey> tiles;
-	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, the nearest last.
+	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, nearest first.
 	double rest_plants = 0.0; ///< Approximate number of plants in those tiles.
-	bool has_rest = false; ///< More tiles follow: `rest`, or those of FieldTiles.
+	bool has_rest = false; ///< More tiles follow: `rest`, or those that a view distance adds.
 	EditLog edits; ///< Their removed plants are not built.
 	/// The generated plants before the build. Plants that exist again continue their motion.
 	GeneratedChunks existing;
@@ -94,11 +94,16 @@ public:
 	/// True if it is only the first part of a build.
 	bool has_rest() const { return input.has_rest; }
 	double rest_plants() const { return input.rest_plants; }
-	std::vector<TileKey> take_rest() { return std::move(input.rest); }
+	const std::vector<TileKey> &rest() const { return input.rest; }
 	/// Returns a function that frees the inputs and the unused parts of the result. Any thread may call it.
 	std::function<void()> take_garbage();
-	bool has_materials = false; ///< Its setup has materials.
-	bool has_begun_transfer = false; ///< The transfer of motion has begun.
+	/// How far the owner has prepared the exchange.
+	enum class Handover {
+		none,
+		shown, ///< Its setup has materials, and multimeshes are prepared.
+		transferring, ///< The transfer of motion has begun.
+	};
+	Handover handover = Handover::none;
 
 private:
 	enum class Stage { fresh, placing, placed, building, planned, done };

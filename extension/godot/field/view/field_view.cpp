@@ -202,11 +202,9 @@ void FieldView::drop_new_chunk(int number) {
 	}
 }
 
-void FieldView::show_new_chunk(
-		const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans) {
+void FieldView::replace_new_chunk(const TileKey &tile, int number) {
 	drop_new_chunk(number);
 	new_chunks[number] = tile;
-	show(setup, plans);
 }
 
 void FieldView::update_levels(const FieldRenderSetup &setup) {
@@ -476,23 +474,62 @@ void FieldView::drop_tile(const TileKey &tile) {
 }
 
 void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	is_culled = false;
 	for (int level = 0; level < int(setup.levels.size()); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [&](const BatchKey &place, std::vector<Batch> &group) {
 			for (Batch &batch : group) {
-				if (batch.near) {
-					has_other_near = true;
-				} else {
-					const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(level)];
-					set_material(server, setup, place, batch);
-					set_range(batch, seen);
-					apply_flags(batch, seen);
-				}
-				reveal(batch);
-				batches[place].push_back(std::move(batch));
+				show_prepared(setup, place, std::move(batch));
 			}
 		});
+	}
+}
+
+void FieldView::show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch) {
+	is_culled = false;
+	if (batch.near) {
+		has_other_near = true;
+	} else {
+		const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(place.level)];
+		set_material(RenderingServer::get_singleton(), setup, place, batch);
+		set_range(batch, seen);
+		apply_flags(batch, seen);
+	}
+	reveal(batch);
+	batches[place].push_back(std::move(batch));
+}
+
+// Calls act(place, batch) for all multimeshes of generated plants of a level and a species, except chunks of new
+// plants. Removes those for which it returns true.
+template <class Act> void FieldView::take_species(Batches &from, int level, int species, const Act &act) {
+	auto entry = from.lower_bound({ false, level, 0, TileKey() });
+	while (entry != from.end() && !entry->first.is_added && entry->first.level == level) {
+		std::vector<Batch> &group = entry->second;
+		const BatchKey &place = entry->first;
+		group.erase(std::remove_if(group.begin(), group.end(),
+							[&](Batch &batch) {
+								return place.new_chunk < 0 && batch.species == species && act(place, batch);
+							}),
+				group.end());
+		entry = group.empty() ? from.erase(entry) : std::next(entry);
+	}
+}
+
+void FieldView::join_level(const FieldRenderSetup &setup, int level, int species) {
+	std::vector<std::pair<BatchKey, Batch>> joined;
+	take_species(prepared, level, species, [&](const BatchKey &place, Batch &batch) {
+		joined.emplace_back(place, std::move(batch));
+		return true;
+	});
+	take_species(batches, level, species, [&](const BatchKey &place, Batch &batch) {
+		if (joined.empty() && place.factor == 1) {
+			return false;
+		}
+		has_other_near = has_other_near || batch.near;
+		set_visible(batch, false);
+		gone.push_back(std::move(batch));
+		return true;
+	});
+	for (auto &[place, batch] : joined) {
+		show_prepared(setup, place, std::move(batch));
 	}
 }
 

@@ -48,19 +48,21 @@ public:
 	/// The same for all added plants.
 	void show_all_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store);
 
-	/// Shows the plans of a chunk of new plants instead of its previous ones.
-	void show_new_chunk(
-			const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans);
+	/// Removes the multimeshes of a chunk of new plants, before show() of its new plans.
+	void replace_new_chunk(const TileKey &tile, int number);
 
 	/// Hides the generated plants of a tile, except those in wider squares and in chunks of new plants.
 	void drop_tile(const TileKey &tile);
 	/// Call after drop_tile(): shows the prepared multimeshes of this tile, with the present materials, distances and
 	/// shadows of `setup`. Levels and species must be those of prepare().
 	void show_tile(const FieldRenderSetup &setup, const TileKey &tile);
+	/// Shows the prepared multimeshes of a level and species instead of those of its generated plants, except chunks of
+	/// new plants. If none is prepared, it only hides multimeshes wider than a tile.
+	void join_level(const FieldRenderSetup &setup, int level, int species);
 	/// Discards the prepared multimeshes of a tile.
 	void forget_tile(const TileKey &tile);
 
-	/// Removes the multimeshes of a chunk of new plants.
+	/// Removes the multimeshes of a chunk of new plants, which is gone.
 	void drop_new_chunk(int number);
 
 	/// Applies changed distances of levels, or shadows. The number of levels and their meshes are unchanged.
@@ -141,6 +143,8 @@ private:
 	static void free_batch(const Batch &batch);
 	static void move_all(Batches &from, std::vector<Batch> &into);
 	void clear(const BatchKey &place);
+	void show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch);
+	template <class Act> static void take_species(Batches &from, int level, int species, const Act &act);
 	static bool has_near(const std::vector<Batch> &group);
 	template <class Act> static void take_parts(Batches &from, const BatchKey &place, const Act &act);
 	void set_range(const Batch &batch, const FieldLevel &level) const;
