@@ -89,7 +89,9 @@ void FieldRuntime::poll_tiles(bool physics) {
 		motion.wait();
 	}
 	const Stopwatch watch;
-	tiles.resume(tile_scene(), physics);
+	if (tiles.resume(tile_scene(), physics)) {
+		show_soon(); // No step uploads the poses of a field that is not simulated.
+	}
 	repeat_edits();
 	tiles_usec = physics ? tiles_usec : watch.usec();
 	report_tile_fault(was_building);

@@ -432,11 +432,11 @@ void DirtyTiles::remove_gone(const Scene &scene, const ChangeSet &changes) {
 	scene.apply(std::move(edit), nullptr);
 }
 
-void DirtyTiles::resume(const Scene &scene, bool physics) {
+bool DirtyTiles::resume(const Scene &scene, bool physics) {
 	const Stopwatch watch;
 	poll_ground(scene, physics);
 	if (physics) {
-		return;
+		return false;
 	}
 	choose(scene);
 	while (!to_remove.empty() && watch.usec() < scene.budget_usec) {
@@ -445,13 +445,16 @@ void DirtyTiles::resume(const Scene &scene, bool physics) {
 	}
 	while (watch.usec() < scene.budget_usec && begin(scene)) { // First, because workers run parallel to this thread.
 	}
+	bool is_any = false;
 	for (size_t i = 0; i < jobs.size();) {
 		if (!jobs[i].is_part() && resume(scene, jobs[i], watch)) {
 			exchange(scene, take_job(i)); // It may restart other jobs.
+			is_any = true;
 		} else {
 			i++;
 		}
 	}
+	return is_any;
 }
 
 bool DirtyTiles::is_building_parts() const {

@@ -82,8 +82,8 @@ public:
 	int waiting_count() const;
 
 	/// Continues with whole tiles in a physics frame or another frame: chooses, removes and builds them. One call uses
-	/// a part of a millisecond, and the next one continues its work.
-	void resume(const Scene &scene, bool physics);
+	/// a part of a millisecond, and the next one continues its work. Returns true if plants were added.
+	bool resume(const Scene &scene, bool physics);
 	/// Cancels all whole tiles in progress. They start again later. Call it after a change of styles or motion.
 	void interrupt(const Scene &scene);
 	/// Cancels all whole tiles of begin_build(). Existing plants stay.
