@@ -104,7 +104,7 @@ public:
 	std::vector<PlantRef> find_all(const std::vector<PlantId> &ids) const;
 	/// Id of an existing plant.
 	PlantId id(const PlantRef &ref) const;
-	/// Ids of all plants, in the order of chunks and slots.
+	/// Ids of all plants. Their order does not depend on the order in which tiles were built.
 	std::vector<PlantId> ids() const;
 	/// Appends all plants with roots at most `radius` (m) from `centre`. The cost depends on the tiles that the
 	/// sphere meets.
@@ -137,6 +137,7 @@ private:
 	int plant_total = 0;
 
 	int take_number();
+	std::vector<int> ordered_chunks() const;
 	void insert(PlantChunk &&chunk, ChangeSet &changes);
 	void drop(int number, ChangeSet &changes);
 	void drop_generated(ChangeSet &changes);
