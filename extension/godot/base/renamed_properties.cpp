@@ -52,7 +52,7 @@ void OldNameWarning::warn() const {
 	if (!object || !warned_files.insert(file.utf8().get_data()).second) {
 		return;
 	}
-	const String place = file.is_empty() ? describe(object) : "'" + file + "'";
+	String place = file.is_empty() ? describe(object) : "'" + file + "'";
 	UtilityFunctions::push_warning(place + " uses property names of Undergrowth 0.2: '" + property.old_name +
 			"' is called '" + property.name +
 			"' now. Save it once in the editor to update it; the next release does not read the old names.");

@@ -40,7 +40,7 @@ static String file_of(const Node *field, const Ref<PlantFieldSpecies> &entry) {
 String describe_empty_entry(const Node *field, int number, const Ref<PlantFieldSpecies> &entry) {
 	const String file = field ? file_of(field, entry) : String();
 	const PackedStringArray missing = missing_files_of(file);
-	const String which = "species[" + String::num_int64(number) + "]";
+	String which = "species[" + String::num_int64(number) + "]";
 	if (!missing.is_empty()) {
 		return which + " is empty and grows no plants: '" + String("', '").join(missing) + "', which '" + file +
 				"' uses, is missing. Restore the file, set another species, or remove the entry.";
