@@ -6,7 +6,6 @@
 #include "field/build/dirty_tiles.hpp"
 #include "field/build/ground_sampler.hpp"
 #include "field/build/species_sampler.hpp"
-#include "field/build/tile_join.hpp"
 #include "field/field_edits.hpp"
 #include "field/motion/field_motion.hpp"
 #include "field/view/field_materials.hpp"
@@ -53,7 +52,7 @@ public:
 		styling, ///< Meshes, materials and motion of existing plants are rebuilt.
 		placing, ///< A part or all of the field is placed.
 		tiles, ///< Tiles are built one by one.
-		joining, ///< Multimeshes of those tiles are joined.
+		joining, ///< Pages and multimeshes of those tiles are joined.
 	};
 	Phase phase() const;
 	/// True if a build is in progress that replaces the whole field at once.
@@ -170,7 +169,7 @@ private:
 	bool is_unshown = false; ///< Plants were removed or changed since the last refresh().
 	std::unique_ptr<SpeciesSampler> sampler; ///< Runs before the job begins.
 	std::unique_ptr<FieldBuild> job;
-	TileJoin join;
+	bool joins = false; ///< The job joins tiles that were built one by one.
 	WorkerTask clearing; ///< Frees the data of the last job.
 	GroundQueryQueue ground_queue;
 	bool is_of_tiles = false; ///< The last build was one of tiles.
@@ -216,7 +215,7 @@ private:
 	FieldSettings settings() const;
 	/// Excludes streamed tiles of a first build.
 	bool is_placing() const {
-		return tiles.is_building_list() || join.is_at_work() || (sampler ? sampler->places : job && job->places());
+		return tiles.is_building_list() || joins || (sampler ? sampler->places : job && job->places());
 	}
 	bool is_urgent() const { return caller == Caller::build_now; }
 	/// µs of this thread for building, per frame.
@@ -242,7 +241,7 @@ private:
 		}
 	}
 	bool start_tile_rebuild();
-	void poll_join();
+	void join_tiles();
 	godot::String begin_sampling(bool places);
 	void resume_sampling();
 	/// As rebuild(), but plants that were removed meanwhile stay removed.

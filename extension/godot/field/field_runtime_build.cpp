@@ -34,7 +34,6 @@ void FieldRuntime::rebuild(bool places, bool styles) {
 	has_failed = false;
 	built_before = 0.0f;
 	drop_job();
-	join.stop(tile_scene());
 	tiles.stop_list(tile_scene());
 	tiles.interrupt(tile_scene());
 	tiles.interrupt_parts();
@@ -110,22 +109,9 @@ void FieldRuntime::finish_tiles() {
 		report_progress(1.0f);
 		finish_build();
 	} else {
-		join.begin(tile_scene());
+		join_tiles();
 		report_progress(progress());
 	}
-}
-
-void FieldRuntime::poll_join() {
-	if (!join.is_at_work()) {
-		return;
-	}
-	if (!join.resume(tile_scene())) {
-		report_progress(progress());
-		return;
-	}
-	setup.is_of_tiles = false;
-	report_progress(1.0f);
-	finish_build();
 }
 
 void FieldRuntime::poll_parts(DirtyTiles::Moment moment, double delta) {
@@ -146,6 +132,7 @@ void FieldRuntime::follow_strokes(DirtyTiles::Moment moment, double delta) {
 void FieldRuntime::drop_job() {
 	motion.cancel_transfer();
 	view.forget_prepared();
+	joins = false;
 	if (job && job->handover != FieldBuild::Handover::none) {
 		job->cancel();
 		retired.push_back(std::move(job->finish().setup));
@@ -206,11 +193,7 @@ void FieldRuntime::poll_all(double delta, bool physics) {
 		retired.clear();
 		retired_materials.clear();
 	}
-	if (physics || phase() != Phase::joining) { // Each of both uses the budget of a frame.
-		poll_tiles(physics);
-	} else {
-		poll_join();
-	}
+	poll_tiles(physics);
 	poll_parts(physics ? DirtyTiles::Moment::physics : DirtyTiles::Moment::begun, delta);
 	if (!physics) {
 		skeletons.release_left();
@@ -246,13 +229,14 @@ void FieldRuntime::serve_ground(double delta, bool physics) {
 void FieldRuntime::poll_job(bool physics) {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	const bool is_done = !physics && job->is_planned() && make_ready();
-	const bool reports = job->places();
+	const bool reports = job->places() || joins;
 	if (!is_done) {
 		if (reports) {
 			report_progress(progress());
 		}
 		return;
 	}
+	joins = false;
 	const std::unique_ptr<FieldBuild> finished = std::move(job);
 	const bool is_adopted = adopt(*finished);
 	clearing.start(finished->take_garbage());

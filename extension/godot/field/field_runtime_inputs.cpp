@@ -31,7 +31,7 @@ FieldSettings FieldRuntime::settings() const {
 bool FieldRuntime::start_tile_rebuild() {
 	PlacementRequest request;
 	FieldGround read;
-	const bool is_possible = motion.is_ready() && !is_at_work() && streams() == is_of_tiles &&
+	const bool is_possible = motion.is_ready() && (!is_at_work() || joins) && streams() == is_of_tiles &&
 			(properties.prototypes > 0) == motion.follows_prototypes() &&
 			float(properties.tile_size) == store.tile_size() && is_listed_so(setup, properties) && update_levels() &&
 			read_request(node, properties, setup, nullptr, request).is_empty() &&
@@ -45,7 +45,6 @@ bool FieldRuntime::start_tile_rebuild() {
 	has_failed = false;
 	built_before = 0.0f;
 	drop_job();
-	join.stop(tile_scene());
 	tiles.stop_list(tile_scene());
 	tiles.interrupt(tile_scene());
 	tiles.interrupt_parts();
@@ -57,6 +56,23 @@ bool FieldRuntime::start_tile_rebuild() {
 	listener.fault(setup.left_out);
 	tiles.begin_build(tile_scene(), list, request);
 	return true;
+}
+
+// After tiles were exchanged one by one, rebuilds pages and multimeshes that tiles share, as in a build of the whole
+// field.
+void FieldRuntime::join_tiles() {
+	BuildInput input;
+	input.places = false;
+	input.setup = setup;
+	for (size_t i = 0; i < setup.styles.size(); i++) {
+		input.setup.styles[i].materials.clear();
+		input.species_numbers.push_back(int(i));
+	}
+	copy_existing_plants(input);
+	removed_meanwhile.clear();
+	job = std::make_unique<FieldBuild>(std::move(input));
+	joins = true;
+	job->start();
 }
 
 void FieldRuntime::copy_existing_plants(BuildInput &input) const {

@@ -36,11 +36,11 @@ FieldRuntime::Phase FieldRuntime::phase() const {
 	if (sampler) {
 		return Phase::sampling;
 	}
+	if (joins) {
+		return Phase::joining;
+	}
 	if (job) {
 		return job->places() ? Phase::placing : Phase::styling;
-	}
-	if (join.is_at_work()) {
-		return Phase::joining;
 	}
 	return tiles.is_building() ? Phase::tiles : Phase::idle;
 }
@@ -48,7 +48,7 @@ FieldRuntime::Phase FieldRuntime::phase() const {
 float FieldRuntime::progress() const {
 	const float end = streams() ? 1.0f : TILES_SHARE;
 	if (phase() == Phase::joining) {
-		return end + (1.0f - end) * join.progress();
+		return end + (1.0f - end) * job->progress();
 	}
 	if (job) {
 		return (job->has_rest() ? FIRST_SHARE : 1.0f) * job->progress();
@@ -142,7 +142,6 @@ void FieldRuntime::wait_for_jobs() {
 		job->wait();
 	}
 	tiles.wait_for_tasks();
-	join.wait();
 	clearing.wait();
 }
 

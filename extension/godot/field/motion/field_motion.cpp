@@ -401,11 +401,6 @@ void FieldMotion::release_texels(PreparedChunk &prepared) {
 	textures->release(std::exchange(prepared.texels, {}));
 }
 
-void FieldMotion::release_left_texels() {
-	wait();
-	textures->release_left_rows();
-}
-
 void FieldMotion::make_room(double plants, int chunks) {
 	static constexpr double USED_OF_LAST_ROW = 0.5;
 	wait();

@@ -74,8 +74,6 @@ public:
 	/// Reserves the texels of a prepared chunk until apply() or release_texels(). Call it between two steps.
 	PoseTexels reserve(PreparedChunk &prepared);
 	void release_texels(PreparedChunk &prepared);
-	/// Call when no multimesh uses texels of ArrivingChunks::leaves_texels any more.
-	void release_left_texels();
 	/// Adds texture layers for about `plants` plants in `chunks` chunks that come later. Without it the textures are
 	/// made again several times while the field grows.
 	void make_room(double plants, int chunks);

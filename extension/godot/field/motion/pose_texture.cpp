@@ -126,14 +126,7 @@ void PoseTexture::leave_rows(int page) {
 		}
 		write_hidden(own);
 		will_write(page);
-		left_rows.push_back(own.rows);
 		own = Page();
-	}
-}
-
-void PoseTexture::release_left_rows() {
-	for (const TexelRows &rows : std::exchange(left_rows, {})) {
-		release(rows);
 	}
 }
 

@@ -49,10 +49,8 @@ public:
 	/// Gives a page rows for `plants` plants, and does nothing if its rows are enough. On any thread, not concurrently.
 	void give_rows(int page, int plants);
 	void take_rows(int page);
-	/// Removes the page, but does not release its rows before release_left_rows(). Multimeshes that use them draw
-	/// nothing.
+	/// Removes the page, but does not release its rows. Multimeshes that use them draw nothing.
 	void leave_rows(int page);
-	void release_left_rows();
 	/// Reserves rows for `plants` plants of a future page, until release(). release() of no rows does nothing.
 	TexelRows reserve(int plants) { return find_rows((plants + SIDE - 1) / SIDE); }
 	void release(const TexelRows &rows);
@@ -128,7 +126,6 @@ private:
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
 	std::vector<uint8_t> is_dirty; ///< By layer: written and not uploaded.
 	std::vector<Page> pages; ///< By page number of the simulation.
-	std::vector<TexelRows> left_rows; ///< Of leave_rows().
 	bool has_new_rows = false; ///< Some pages' beats are not uploaded.
 	int64_t sent_rates = -1; ///< FieldSimulation::rates_version() of the uploaded beats.
 	using History = std::array<int, MAX_STEM_MODES>; ///< By mode: its first layer, or -1.

@@ -58,8 +58,7 @@ struct ArrivingChunks {
 	std::vector<std::unique_ptr<PreparedChunk>> prepared; ///< In the order of StoreEdit::arriving.
 	/// Plants that continue their motion, from chunks that the same edit drops.
 	std::vector<PlantMatch> matches;
-	/// Multimeshes of dropped plants remain. Their texels then draw nothing and are not reused before
-	/// FieldMotion::release_left_texels().
+	/// Multimeshes of dropped plants remain. Their texels then draw nothing and are not reused.
 	bool leaves_texels = false;
 };
 

@@ -497,42 +497,6 @@ void FieldView::show_prepared(const FieldRenderSetup &setup, const BatchKey &pla
 	batches[place].push_back(std::move(batch));
 }
 
-// Calls act(place, batch) for all multimeshes of generated plants of a level and a species, except chunks of new
-// plants. Removes those for which it returns true.
-template <class Act> void FieldView::take_species(Batches &from, int level, int species, const Act &act) {
-	auto entry = from.lower_bound({ false, level, 0, TileKey() });
-	while (entry != from.end() && !entry->first.is_added && entry->first.level == level) {
-		std::vector<Batch> &group = entry->second;
-		const BatchKey &place = entry->first;
-		group.erase(std::remove_if(group.begin(), group.end(),
-							[&](Batch &batch) {
-								return place.new_chunk < 0 && batch.species == species && act(place, batch);
-							}),
-				group.end());
-		entry = group.empty() ? from.erase(entry) : std::next(entry);
-	}
-}
-
-void FieldView::join_level(const FieldRenderSetup &setup, int level, int species) {
-	std::vector<std::pair<BatchKey, Batch>> joined;
-	take_species(prepared, level, species, [&](const BatchKey &place, Batch &batch) {
-		joined.emplace_back(place, std::move(batch));
-		return true;
-	});
-	take_species(batches, level, species, [&](const BatchKey &place, Batch &batch) {
-		if (joined.empty() && place.factor == 1) {
-			return false;
-		}
-		has_other_near = has_other_near || batch.near;
-		set_visible(batch, false);
-		gone.push_back(std::move(batch));
-		return true;
-	});
-	for (auto &[place, batch] : joined) {
-		show_prepared(setup, place, std::move(batch));
-	}
-}
-
 void FieldView::forget_tile(const TileKey &tile) {
 	for (int level = 0; level < (prepared_levels.empty() ? 0 : int(prepared_levels.front().size())); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {

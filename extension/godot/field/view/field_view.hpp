@@ -56,9 +56,6 @@ public:
 	/// Call after drop_tile(): shows the prepared multimeshes of this tile, with the present materials, distances and
 	/// shadows of `setup`. Levels and species must be those of prepare().
 	void show_tile(const FieldRenderSetup &setup, const TileKey &tile);
-	/// Shows the prepared multimeshes of a level and species instead of those of its generated plants, except chunks of
-	/// new plants. If none is prepared, it only hides multimeshes wider than a tile.
-	void join_level(const FieldRenderSetup &setup, int level, int species);
 	/// Discards the prepared multimeshes of a tile.
 	void forget_tile(const TileKey &tile);
 
@@ -144,7 +141,6 @@ private:
 	static void move_all(Batches &from, std::vector<Batch> &into);
 	void clear(const BatchKey &place);
 	void show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch);
-	template <class Act> static void take_species(Batches &from, int level, int species, const Act &act);
 	static bool has_near(const std::vector<Batch> &group);
 	template <class Act> static void take_parts(Batches &from, const BatchKey &place, const Act &act);
 	void set_range(const Batch &batch, const FieldLevel &level) const;
