@@ -44,7 +44,9 @@ String SpeciesGrowth::grow(PlantFunction &species, int64_t seed, std::shared_ptr
 	call_script(species, plant, problem);
 	String what;
 	PlantForm form = plant->finish(what);
-	problem = problem.is_empty() ? what : problem;
+	if (problem.is_empty()) {
+		problem = what;
+	}
 	if (problem.is_empty()) {
 		grown = std::make_shared<const GrownPlant>(std::move(form));
 		grown_before.keep(seed, state_of_script(&species), grown);

@@ -186,7 +186,9 @@ void GroundQueryQueue::note_ground(const FieldPlants &plants) {
 void GroundQueryQueue::take_findings(GroundQueryQueue &other) {
 	has_found_some = std::exchange(other.has_found_some, false) || has_found_some;
 	const String others = std::exchange(other.unreported, String());
-	unreported = unreported.is_empty() ? others : unreported;
+	if (unreported.is_empty()) {
+		unreported = others;
+	}
 }
 
 void GroundQueryQueue::report_all(const Node3D *field) {
