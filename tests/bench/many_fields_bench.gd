@@ -106,9 +106,9 @@ func _measure(title: String, count: int, make: Callable, idle: float) -> void:
 func _median_frame(count: int) -> float:
 	var times: Array[float] = []
 	for i in count:
-		var before := ProcessorTime.spent().x
+		var before := ProcessorTime.of_main_thread()
 		await _next_frame()
-		times.append(ProcessorTime.spent().x - before)
+		times.append(ProcessorTime.of_main_thread() - before)
 	times.sort()
 	return times[times.size() / 2]
 

@@ -94,5 +94,5 @@ class TimeProbe:
 		_note_after.call_deferred()
 
 	func _note_after() -> void:
-		bed.get_statistics()  # Waits for the step.
+		bed.get_tip_position(bed.get_plant_ids()[0])  # Waits for the step.
 		after_frame.append(bed.get_motion_time())

@@ -56,7 +56,7 @@ double FieldMonitors::sum(int which) {
 	double total = 0.0;
 	for (const auto &[runtime, node] : registered_fields()) {
 		total += which == MONITOR_PLANTS ? runtime->store.plant_count() : 0.0;
-		total += which == MONITOR_SIMULATED ? runtime->motion.simulated_count() : 0.0;
+		total += which == MONITOR_SIMULATED ? runtime->motion.simulated_count(runtime->store) : 0.0;
 		total += which == MONITOR_STEP ? runtime->motion.busy_usec() : 0.0;
 		total += which == MONITOR_UPLOAD ? runtime->upload_usec : 0.0;
 	}

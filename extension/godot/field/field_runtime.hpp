@@ -154,7 +154,7 @@ public:
 	double thin_usec = 0.0; ///< Of the last selection of drawn plants.
 	/// An upper bound (field axes) of everything that is drawn. It has no volume if there are no plants.
 	godot::AABB box() const;
-	std::vector<int> count_drawn(const godot::Vector3 &camera) const { return view.count_drawn(setup, camera); }
+	const std::vector<int> &count_drawn(const godot::Vector3 &camera) { return view.count_drawn(setup, camera); }
 
 private:
 	godot::GeometryInstance3D *node;

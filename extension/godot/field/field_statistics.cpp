@@ -8,7 +8,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static PackedInt32Array count_drawn(const Node3D *node, const FieldRuntime &runtime) {
+static PackedInt32Array count_drawn(const Node3D *node, FieldRuntime &runtime) {
 	const Camera3D *camera = node->is_inside_tree() ? node->get_viewport()->get_camera_3d() : nullptr;
 	PackedInt32Array drawn;
 	for (const int count : runtime.count_drawn(camera ? camera->get_global_position() : node->get_position())) {
@@ -42,11 +42,10 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 }
 
 Dictionary FieldStatistics::to_dictionary(const Node3D *node, FieldRuntime &runtime, bool is_restyle_queued) const {
-	runtime.motion.wait();
 	const int count = runtime.store.plant_count();
 	Dictionary values;
 	values["plants"] = count;
-	values["simulated"] = runtime.motion.simulated_count();
+	values["simulated"] = runtime.motion.simulated_count(runtime.store);
 	values["drawn_by_level"] = count_drawn(node, runtime);
 	values["levels"] = list_levels(runtime.setup);
 	values["is_rebuilding_meshes"] = (runtime.is_at_work() && !runtime.is_building()) || is_restyle_queued;
@@ -60,8 +59,7 @@ Dictionary FieldStatistics::to_dictionary(const Node3D *node, FieldRuntime &runt
 	values["thin_usec"] = runtime.thin_usec;
 	values["main_usec"] = main_usec;
 	values["wait_usec"] = wait_usec;
-	values["bytes_per_plant"] =
-			count > 0 ? double(runtime.store.bytes()) / count + runtime.motion.bytes_per_plant() : 0.0;
+	values["bytes_per_plant"] = runtime.motion.bytes_per_plant(runtime.store);
 	return values;
 }
 

@@ -14,8 +14,8 @@ public:
 		main_usec = of_main;
 		wait_usec = of_waiting;
 	}
-	/// Waits for the running step. `is_restyle_queued`: materials are rebuilt after this frame, but `runtime` has not
-	/// started yet.
+	/// Does not wait for the running step. `is_restyle_queued`: materials are rebuilt after this frame, but `runtime`
+	/// has not started yet.
 	godot::Dictionary to_dictionary(const godot::Node3D *node, FieldRuntime &runtime, bool is_restyle_queued) const;
 
 private:

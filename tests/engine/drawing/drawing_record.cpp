@@ -52,7 +52,13 @@ Dictionary DrawingRecord::get_textures() {
 	return found;
 }
 
+int64_t DrawingRecord::count_parameter(const String &name) {
+	const std::lock_guard<std::mutex> lock(record().mutex);
+	return record().parameters[name.utf8().get_data()];
+}
+
 void DrawingRecord::_bind_methods() {
+	ClassDB::bind_static_method("DrawingRecord", D_METHOD("count_parameter", "name"), &DrawingRecord::count_parameter);
 	ClassDB::bind_static_method("DrawingRecord", D_METHOD("get_instances"), &DrawingRecord::get_instances);
 	ClassDB::bind_static_method("DrawingRecord", D_METHOD("get_textures"), &DrawingRecord::get_textures);
 }

@@ -19,6 +19,8 @@ public:
 	static godot::Array get_instances();
 	/// All textures that exist, by the id of their RID: an Array of the bytes of each layer.
 	static godot::Dictionary get_textures();
+	/// Returns the number of calls of material_set_param() for a parameter.
+	static int64_t count_parameter(const godot::String &name);
 };
 
 } // namespace recorder

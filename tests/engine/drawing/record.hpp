@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace recorder {
@@ -28,6 +29,7 @@ struct Record {
 	std::map<uint64_t, Multimesh> multimeshes;
 	std::map<uint64_t, Instance> instances;
 	std::map<uint64_t, std::vector<std::vector<uint8_t>>> textures; ///< Bytes of each layer.
+	std::map<std::string, int64_t> parameters; ///< Calls of material_set_param() by the parameter's name.
 };
 
 Record &record();

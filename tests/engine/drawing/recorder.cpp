@@ -117,6 +117,11 @@ void note_update(Arguments arguments, GDExtensionTypePtr) {
 	}
 }
 
+void note_parameter(Arguments arguments, GDExtensionTypePtr) {
+	const std::lock_guard<std::mutex> lock(record().mutex);
+	record().parameters[String(argument<StringName>(arguments, 1)).utf8().get_data()]++;
+}
+
 void note_free(Arguments arguments, GDExtensionTypePtr) {
 	const std::lock_guard<std::mutex> lock(record().mutex);
 	record().instances.erase(rid_of(arguments[0]));
@@ -140,6 +145,7 @@ Recorded all_recorded[] = {
 	{ "texture_2d_create", note_texture },
 	{ "texture_2d_layered_create", note_layers },
 	{ "texture_2d_update", note_update },
+	{ "material_set_param", note_parameter },
 	{ "free_rid", note_free },
 };
 

@@ -479,7 +479,8 @@ void FieldMotion::start_step(const MotionOptions &options, bool with_contact) {
 	is_transferred = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
 	time_after_step = simulation->time(1);
-	steps.start(*simulation, *textures, contact, worker_count(options));
+	simulated_before = simulation->settings().prototypes > 0 ? simulation->simulated_count() : 0;
+	steps.start(*simulation, *textures, leans, contact, worker_count(options));
 	swings.step(clock.step());
 }
 
@@ -572,6 +573,26 @@ double FieldMotion::motion_time() const {
 	return (steps.is_running() ? time_after_step : simulation->time()) + wind_clock.ahead();
 }
 
+int FieldMotion::simulated_count(const PlantStore &store) const {
+	if (!simulation || simulation->settings().prototypes == 0) {
+		return simulation ? store.plant_count() : 0;
+	}
+	return steps.is_running() ? simulated_before : simulation->simulated_count();
+}
+
+double FieldMotion::bytes_per_plant(const PlantStore &store) {
+	if (!simulation || store.plant_count() == 0) {
+		return 0.0;
+	}
+	const std::array<int64_t, 4> now = { store.plant_count(), store.chunk_count(), simulation->row_count(),
+		int64_t(simulation->wind().wind.kind) };
+	if (std::exchange(counted, now) != now) {
+		wait();
+		counted_bytes = double(store.bytes()) / store.plant_count() + simulation->bytes_per_plant();
+	}
+	return counted_bytes;
+}
+
 bool FieldMotion::upload() {
 	wait();
 	const std::vector<int> &changed = simulation->changed_pages();
@@ -586,7 +607,6 @@ bool FieldMotion::upload() {
 	dirty_pages.clear();
 	const bool are_new = textures->make_textures();
 	textures->upload(*simulation, shown_alpha);
-	leans.follow(*simulation);
 	const bool are_first = textures->has_heights() && !showed_heights;
 	showed_heights = textures->has_heights();
 	return are_new || are_first;

@@ -17,6 +17,7 @@
 
 #include <godot_cpp/variant/rid.hpp>
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -134,8 +135,12 @@ public:
 	void write_state(const PlantRef &ref, const MotionState &state);
 	void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse);
 
-	int simulated_count() const { return simulation ? simulation->simulated_count() : 0; }
-	double bytes_per_plant() const { return simulation ? simulation->bytes_per_plant() : 0.0; }
+	/// Number of plants of `store` that are stepped. Does not wait. With prototypes, that of the last step that ended.
+	int simulated_count(const PlantStore &store) const;
+	/// Memory of plants and their motion, divided by the plants. Waits and counts only if plants came or left since the
+	/// last call.
+	double bytes_per_plant(const PlantStore &store);
+	/// Does not wait.
 	double busy_usec() const { return steps.busy_usec(); }
 
 	GroupBodies bodies;
@@ -158,6 +163,10 @@ private:
 	std::vector<int> dirty_pages;
 	TipContact touching;
 	bool touches = false;
+	MeanLean leans;
+	int simulated_before = 0; ///< With prototypes: plants that are stepped, before the running step.
+	std::array<int64_t, 4> counted = {}; ///< What `counted_bytes` depends on.
+	double counted_bytes = 0.0; ///< Per plant.
 	double time_after_step = 0.0; ///< s: FieldSimulation::time() after the running step.
 	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
 	WorkerTask transfer; // For the same reason.
@@ -169,7 +178,6 @@ private:
 	bool showed_heights = false; ///< At the last upload().
 	float shown_alpha = 0.0f; ///< Of the next frame to draw.
 	SwingClock swings;
-	MeanLean leans;
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
 

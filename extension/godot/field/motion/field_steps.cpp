@@ -62,10 +62,12 @@ int FieldSteps::max_work() const {
 	return work_of_step(stepped->settings().prototypes > 0 ? stepped->due_count() : stepped->row_count());
 }
 
-void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers) {
+void FieldSteps::start(
+		FieldSimulation &simulation, PoseTexture &poses, MeanLean &leans, TipContact *contact, int workers) {
 	wait();
 	stepped = &simulation;
 	written = &poses;
+	measured = &leans;
 	touching = contact;
 	for (int phase = 0; phase < PHASES; phase++) {
 		next_part[phase].store(0, std::memory_order_relaxed);
@@ -88,6 +90,9 @@ void FieldSteps::start(FieldSimulation &simulation, PoseTexture &poses, TipConta
 }
 
 void FieldSteps::wait() {
+	if (!is_running()) {
+		return;
+	}
 	if (ticket.batch) {
 		is_inline = StepBatch::finish(ticket);
 	}
@@ -95,6 +100,7 @@ void FieldSteps::wait() {
 		WorkerThreadPool::get_singleton()->wait_for_group_task_completion(group);
 		group = -1;
 	}
+	ended_usec = double(busy_nsec.load()) * 1e-3;
 }
 
 void FieldSteps::run() {
@@ -112,11 +118,15 @@ void FieldSteps::work(void *self, uint32_t) {
 	if (steps->stepped->settings().prototypes > 0) {
 		steps->stepped->begin_step();
 	}
-	for (int phase = 0; phase < (steps->touching ? PHASES : STEP + 1); phase++) {
+	const int last_phase = steps->touching ? PHASES - 1 : STEP;
+	for (int phase = 0; phase <= last_phase; phase++) {
 		const int parts = steps->parts_of(phase);
 		for (int part = steps->next_part[phase]++; part < parts; part = steps->next_part[phase]++) {
 			steps->do_part(phase, part);
-			steps->parts_done[phase]++;
+			const bool is_last = ++steps->parts_done[phase] == parts && phase == last_phase;
+			if (is_last) {
+				steps->measured->follow(*steps->stepped); // The main thread would miss its cache for each plant.
+			}
 		}
 		while (steps->touching && steps->parts_done[phase].load() < parts) {
 			std::this_thread::yield();

@@ -2,6 +2,7 @@
 
 #include "field/contact.hpp"
 #include "field/field_simulation.hpp"
+#include "field/mean_lean.hpp"
 #include "field/motion/pose_texture.hpp"
 #include "field/motion/step_batch.hpp"
 
@@ -21,12 +22,12 @@ public:
 	FieldSteps &operator=(const FieldSteps &) = delete;
 
 	/// Starts one step on up to `workers` threads and returns at once. Steps that cost less than waking a thread share
-	/// a StepBatch. `contact`, if any, runs after all plants have moved.
-	void start(FieldSimulation &simulation, PoseTexture &poses, TipContact *contact, int workers);
+	/// a StepBatch. `contact`, if any, runs after all plants have moved. The last thread measures `leans`.
+	void start(FieldSimulation &simulation, PoseTexture &poses, MeanLean &leans, TipContact *contact, int workers);
 	/// Waits for the step; returns at once if there is none.
 	void wait();
-	/// Time of the last step, summed over all threads.
-	double busy_usec() const { return double(busy_nsec.load()) * 1e-3; }
+	/// Time of the last step that has ended, summed over all threads. Does not wait.
+	double busy_usec() const { return ended_usec; }
 	/// The part of it that ran on the main thread.
 	double inline_usec() const { return is_inline ? busy_usec() : 0.0; }
 	/// True between start() and wait().
@@ -40,11 +41,13 @@ private:
 
 	FieldSimulation *stepped = nullptr;
 	PoseTexture *written = nullptr;
+	MeanLean *measured = nullptr;
 	TipContact *touching = nullptr;
 	std::vector<int> runs; ///< First pages of the parts that threads take, and the end.
 	std::atomic<int> next_part[PHASES] = {};
 	std::atomic<int> parts_done[PHASES] = {};
 	std::atomic<int64_t> busy_nsec{ 0 };
+	double ended_usec = 0.0;
 	bool is_inline = false;
 	int64_t group = -1; ///< A group task of the engine's worker threads.
 	StepBatch::Ticket ticket; ///< Of a small step.

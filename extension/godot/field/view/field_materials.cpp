@@ -181,6 +181,7 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 	is_listed = true;
 	sent_clock = -1.0f;
 	swinging.clear();
+	swings_to = 0.0f;
 	for (const SpeciesStyle &style : setup.styles) {
 		const float end = style.motion.longest * SWINGS_TO;
 		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
@@ -189,6 +190,7 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
 			if (level.is_used && nearest < end) {
 				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
+				swings_to = std::max(swings_to, end);
 			}
 		}
 	}
@@ -199,6 +201,9 @@ void FieldMaterials::send_swing_clock(
 		const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen) {
 	if (!is_listed) {
 		list_swinging(setup);
+	}
+	if (seen.nearest >= swings_to) {
+		return; // Does not read the list.
 	}
 	const float clock = motion.swing_clock();
 	if (clock == sent_clock && seen.nearest == sent_seen.nearest && seen.farthest == sent_seen.farthest) {
@@ -217,6 +222,11 @@ void FieldMaterials::send_swing_clock(
 
 void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion &motion) {
 	static constexpr float VISIBLE = 0.004f; // A brightness of less than 1 %.
+	static constexpr int FRAMES_BETWEEN = 16; // The mean changes over seconds.
+	if (!sent_leans.empty() && ++frames_since_leans < FRAMES_BETWEEN) {
+		return;
+	}
+	frames_since_leans = 0;
 	static const StringName &mean_lean = *new StringName("undergrowth_mean_lean");
 	RenderingServer *server = RenderingServer::get_singleton();
 	sent_leans.resize(setup.styles.size(), -1.0f);

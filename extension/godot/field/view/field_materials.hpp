@@ -52,8 +52,10 @@ private:
 		float whole, end; ///< m: they swing fully up to one distance and not at all beyond the other.
 	};
 	std::vector<Swinging> swinging;
+	float swings_to = 0.0f; ///< m: largest `end` in it.
 	bool is_listed = false; ///< `swinging` is up to date.
 	std::vector<float> sent_leans; ///< By species; empty: none.
+	int frames_since_leans = 0;
 
 	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;
 	void list_swinging(const FieldRenderSetup &setup);

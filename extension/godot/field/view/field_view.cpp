@@ -149,7 +149,7 @@ void FieldView::place_near() {
 
 void FieldView::show(const FieldRenderSetup &setup, const std::vector<BatchPlan> &plans) {
 	levels = levels_of(setup);
-	is_culled = false;
+	note_change();
 	near.bind(setup);
 	for (const BatchPlan &plan : plans) {
 		std::vector<Batch> &there = batches[plan.place];
@@ -209,7 +209,7 @@ void FieldView::replace_new_chunk(const TileKey &tile, int number) {
 
 void FieldView::update_levels(const FieldRenderSetup &setup) {
 	levels = levels_of(setup);
-	is_culled = false;
+	note_change();
 	near.bind(setup);
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
@@ -238,7 +238,7 @@ void FieldView::set_transform(const Transform3D &transform) {
 		return; // The engine would report an error for each multimesh.
 	}
 	placed = transform;
-	is_culled = false;
+	note_change();
 	const Vector3 scale = transform.basis.get_scale().abs();
 	const float largest = std::max({ scale.x, scale.y, scale.z });
 	const bool scale_changed = largest != largest_scale;
@@ -354,8 +354,14 @@ void FieldView::cull(const std::vector<DrawingCamera> &cameras) {
 	}
 }
 
-std::vector<int> FieldView::count_drawn(const FieldRenderSetup &setup, const Vector3 &camera) const {
-	std::vector<int> drawn(setup.levels.size(), 0);
+const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, const Vector3 &camera) {
+	if (has_counted && camera.distance_to(counted_for) < CAMERA_STEP) {
+		return counted;
+	}
+	has_counted = true;
+	counted_for = camera;
+	counted.assign(setup.levels.size(), 0);
+	std::vector<int> &drawn = counted;
 	DrawingCamera seen_from;
 	seen_from.place = camera;
 	for (const auto &[place, group] : batches) {
@@ -455,6 +461,7 @@ bool FieldView::has_near(const std::vector<Batch> &group) {
 }
 
 void FieldView::clear(const BatchKey &place) {
+	has_counted = false;
 	take_parts(batches, place, [this](const BatchKey &, std::vector<Batch> &group) {
 		has_other_near = has_other_near || has_near(group);
 		std::for_each(group.begin(), group.end(), &FieldView::free_batch);
@@ -462,6 +469,7 @@ void FieldView::clear(const BatchKey &place) {
 }
 
 void FieldView::drop_tile(const TileKey &tile) {
+	has_counted = false;
 	for (int level = 0; level < level_count(); level++) {
 		take_parts(batches, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
 			has_other_near = has_other_near || has_near(group);
@@ -484,7 +492,7 @@ void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
 }
 
 void FieldView::show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch) {
-	is_culled = false;
+	note_change();
 	if (batch.near) {
 		has_other_near = true;
 	} else {
@@ -513,7 +521,7 @@ void FieldView::exchange(const FieldRenderSetup &setup) {
 	levels = levels_of(setup);
 	near.bind(setup);
 	has_other_near = true;
-	is_culled = false;
+	note_change();
 }
 
 bool FieldView::free_some(double usec, bool hides_all) {

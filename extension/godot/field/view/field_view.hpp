@@ -88,8 +88,9 @@ public:
 		near.set_owner(object);
 	}
 
-	/// Number of plants that a camera at `camera` (world axes) shows at each level.
-	std::vector<int> count_drawn(const FieldRenderSetup &setup, const godot::Vector3 &camera) const;
+	/// Number of plants that a camera at `camera` (world axes) shows at each level. Counts again after the camera has
+	/// moved by 0.25 m or multimeshes have changed.
+	const std::vector<int> &count_drawn(const FieldRenderSetup &setup, const godot::Vector3 &camera);
 
 private:
 	struct Batch {
@@ -130,7 +131,11 @@ private:
 	uint64_t owner = 0;
 	std::vector<DrawingCamera> culled_for; ///< Cameras of the last cull().
 	bool is_culled = false; ///< False: something changed since.
+	std::vector<int> counted; ///< Drawn plants by level.
+	godot::Vector3 counted_for; ///< The camera.
+	bool has_counted = false; ///< The same.
 
+	void note_change() { is_culled = has_counted = false; }
 	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
 	void reveal(Batch &batch);
 	void set_visible(const Batch &batch, bool visible) const;

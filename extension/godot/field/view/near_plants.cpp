@@ -15,13 +15,32 @@ static constexpr float SLACK = 0.3f; // m by which plants are selected earlier t
 static constexpr float STEP_COSINE = 0.9962f; // Of the angle (5°) by which a camera turns before that.
 static constexpr int MIN_CAPACITY = 16;
 
+// Calls visit(cell) for the cells that a square of side 2 * far around `place` (m, field axes) meets.
+template <class Visit> void NearSquare::for_each_cell(const Vector3 &place, float far, const Visit &visit) const {
+	const auto cell_at = [](float at, float first, int count) {
+		return int(std::clamp(std::floor((at - first) / CELL_SIZE), -1.0f, float(count)));
+	};
+	const int left = std::max(cell_at(float(place.x) - far, low.x, columns), 0);
+	const int right = std::min(cell_at(float(place.x) + far, low.x, columns), columns - 1);
+	const int first = std::max(cell_at(float(place.z) - far, low.y, rows), 0);
+	const int last = std::min(cell_at(float(place.z) + far, low.y, rows), rows - 1);
+	for (int row = first; row <= last; row++) {
+		for (int column = left; column <= right; column++) {
+			visit(row * columns + column);
+		}
+	}
+}
+
 int NearSquare::count_within(const Vector3 &place, const FieldLevel &level) const {
 	int count = 0;
 	const float near = std::max(level.begin - level.margin, 0.0f);
-	for (int i = 0; i < int(variants.size()); i++) {
-		const float away = root(i).distance_to(place);
-		count += away >= near && (level.end <= 0.0f || away < level.end) ? 1 : 0;
-	}
+	const float far = level.end > 0.0f ? level.end : std::numeric_limits<float>::max();
+	for_each_cell(place, far, [&](int cell) {
+		for (int i = begins[size_t(cell)]; i < begins[size_t(cell) + 1]; i++) {
+			const float away = root(i).distance_to(place);
+			count += away >= near && away < far ? 1 : 0;
+		}
+	});
 	return count;
 }
 
@@ -233,27 +252,13 @@ void NearPlants::take_out(Band &band, const std::vector<Sight> &sights) {
 }
 
 void NearPlants::put_in(Band &band, const std::vector<Sight> &sights) {
-	constexpr float SIZE = NearSquare::CELL_SIZE;
 	for (const std::shared_ptr<NearSquare> &square : squares) {
 		if (square->species != band.species) {
 			continue;
 		}
 		for (const Sight &sight : sights) {
-			const float far = band.far * sight.longest;
-			const auto cell_at = [&](float place, float low, int count) {
-				return int(std::clamp(std::floor((place - low) / SIZE), -1.0f, float(count)));
-			};
-			const int left = std::max(cell_at(float(sight.place.x) - far, square->low.x, square->columns), 0);
-			const int right =
-					std::min(cell_at(float(sight.place.x) + far, square->low.x, square->columns), square->columns - 1);
-			const int first = std::max(cell_at(float(sight.place.z) - far, square->low.y, square->rows), 0);
-			const int last =
-					std::min(cell_at(float(sight.place.z) + far, square->low.y, square->rows), square->rows - 1);
-			for (int row = first; row <= last; row++) {
-				for (int column = left; column <= right; column++) {
-					put_in(band, *square, row * square->columns + column, sights);
-				}
-			}
+			square->for_each_cell(
+					sight.place, band.far * sight.longest, [&](int cell) { put_in(band, *square, cell, sights); });
 		}
 	}
 }

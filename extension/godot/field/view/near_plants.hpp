@@ -35,6 +35,7 @@ struct NearSquare {
 	}
 	/// Returns the number of plants within the distances of a level from `place` (field axes).
 	int count_within(const godot::Vector3 &place, const FieldLevel &level) const;
+	template <class Visit> void for_each_cell(const godot::Vector3 &place, float far, const Visit &visit) const;
 };
 
 /// Draws the plants nearest to the cameras one by one: a multimesh for each species, level and variant that contains
