@@ -96,7 +96,7 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 	if (same != spacings.end() && --same->second == 0) {
 		spacings.erase(same);
 	}
-	chunk = PlantChunk();
+	changes.left.push_back(std::exchange(chunk, PlantChunk()));
 	free_numbers.push_back(number);
 	changes.dropped.push_back(number);
 }

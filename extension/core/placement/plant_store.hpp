@@ -60,6 +60,7 @@ struct ChangeSet {
 	};
 
 	std::vector<int> dropped; ///< Removed chunks. New chunks may reuse their numbers.
+	std::vector<PlantChunk> left; ///< Contents of removed chunks, so that another thread can free them.
 	std::vector<Grown> grown;
 	/// Removed plants of chunks that still exist. A chunk of generated plants remains when it is empty; one of added
 	/// plants is dropped.

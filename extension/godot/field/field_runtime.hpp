@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/frame_cost.hpp"
+#include "base/stopwatch.hpp"
 #include "base/worker_task.hpp"
 #include "field/build/build_input.hpp"
 #include "field/build/dirty_tiles.hpp"
@@ -191,6 +192,7 @@ private:
 		build_now, ///< No budgets.
 	};
 	Caller caller = Caller::none; ///< Of the poll() in progress.
+	Stopwatch poll_watch; ///< Started by it.
 	FieldGround ground; ///< As at the last build.
 	std::vector<PlantId> removed_meanwhile; ///< While the job runs.
 	PlacedArea placed_area;
@@ -220,6 +222,8 @@ private:
 	bool is_urgent() const { return caller == Caller::build_now; }
 	/// µs of this thread for building, per frame.
 	double budget_usec() const;
+	/// What is left of it in this call of poll().
+	double left_usec() const { return budget_usec() - poll_watch.usec(); }
 	/// As GroundQueryQueue::usual_usec().
 	double ground_usec(double delta) const;
 	/// Of the whole build, 0 to 1.

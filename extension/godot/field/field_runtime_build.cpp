@@ -75,7 +75,7 @@ DirtyTiles::Scene FieldRuntime::tile_scene() {
 		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
 	}
 	return { node, properties, store, setup, motion, ground, own_edits.known(), built, view, change, fault,
-		budget_usec() };
+		left_usec() };
 }
 
 // During a build of the whole field, tiles would be placed twice.
@@ -148,10 +148,9 @@ bool FieldRuntime::make_ready() {
 	if (job->fault() != PlacementFault::none) {
 		return job->is_done();
 	}
-	const Stopwatch watch;
 	FieldRenderSetup &next_setup = job->setup();
 	for (SpeciesStyle &style : next_setup.styles) {
-		if (!style.make_meshes(budget_usec() - watch.usec())) {
+		if (!style.make_meshes(left_usec())) {
 			return false;
 		}
 	}
@@ -160,13 +159,14 @@ bool FieldRuntime::make_ready() {
 		materials.make(next_setup);
 		materials.hide(next_setup);
 	}
-	while (const std::unique_ptr<BatchPlan> plan = job->take_plan()) {
-		view.prepare(next_setup, *plan);
-		if (watch.usec() > budget_usec()) {
+	for (bool is_first = true; const BatchPlan *plan = job->next_plan(); is_first = false) {
+		if (!is_first && view.expected_usec(*plan) > left_usec()) {
 			return false;
 		}
+		view.prepare(next_setup, *plan);
+		job->leave_plan();
 	}
-	if (!job->is_done() || view.reveal_some(budget_usec())) {
+	if (!job->is_done() || view.reveal_some(left_usec())) {
 		return false;
 	}
 	FieldResult &result = job->finish();
@@ -189,7 +189,9 @@ void FieldRuntime::poll_all(double delta, bool physics) {
 	if (!physics) {
 		view.flush_if_undrawn();
 	}
-	if (!physics && !view.free_some(FREEING_SHARE * budget_usec())) {
+	poll_watch = Stopwatch();
+	// A build that replaces the whole field needs most of a frame.
+	if (!physics && !is_transferring() && !view.free_some(FREEING_SHARE * budget_usec())) {
 		retired.clear();
 		retired_materials.clear();
 	}
@@ -285,8 +287,9 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	edit.tile_size = finished.tile_size();
 	edit.spacing = result.spacing;
 	edit.species_numbers = finished.species_numbers();
-	const ChangeSet changes = store.apply(std::move(edit));
-	motion.adopt(*result.motion, result.matches, changes, store, setup);
+	ChangeSet changes = store.apply(std::move(edit));
+	finished.add_garbage(motion.adopt(*result.motion, result.matches, changes, store, setup));
+	finished.add_garbage(std::make_shared<std::vector<PlantChunk>>(std::move(changes.left)));
 	motion.set_update_interval(properties.update_interval);
 	own_edits.follow_all(store, setup, motion);
 	for (const int i : other_rests) {

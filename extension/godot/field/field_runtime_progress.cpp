@@ -63,7 +63,10 @@ void FieldRuntime::split_first_build(BuildInput &input) {
 	}
 	const double each = double(input.request.density) * double(input.tile_size) * double(input.tile_size);
 	std::vector<TileKey> all = streams() ? input.tiles : DirtyTiles::list_first(tile_scene(), input.request);
-	if (each * double(all.size()) <= MAX_WHOLE_PLANTS) {
+	const AreaBox box = placed_box(input.request); // Small fields meet tiles that they do not fill.
+	const double of_box = double(box.high.x - box.low.x) * double(box.high.y - box.low.y);
+	const double square_metres = std::min(double(std::abs(signed_area(input.request.area))), of_box);
+	if (std::min(double(input.request.density) * square_metres, each * double(all.size())) <= MAX_WHOLE_PLANTS) {
 		return;
 	}
 	const auto first = std::ptrdiff_t(std::ceil(std::min(FIRST_PLANTS / each, double(all.size()))));

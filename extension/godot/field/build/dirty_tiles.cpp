@@ -381,27 +381,28 @@ void DirtyTiles::poll_ground(const Scene &scene, bool physics) {
 	}
 }
 
-bool DirtyTiles::resume(const Scene &scene, Job &job, const Stopwatch &watch) {
+bool DirtyTiles::resume(const Scene &scene, Job &job, Pace &pace) {
 	TileBuildTask &task = *job.task;
-	if (task.is_placed() && !std::exchange(job.is_planned, true)) {
-		if (task.chunks().empty()) {
-			return true;
-		}
+	const bool is_empty = task.chunks().empty();
+	if (task.is_placed() && !is_empty && !std::exchange(job.is_planned, true)) {
 		task.reserve(scene.motion);
 		task.draw();
 	}
-	while (task.is_drawn() && watch.usec() < scene.budget_usec) {
-		const BatchPlan *plan = task.next_plan();
-		if (!plan) {
-			return true;
+	while (const BatchPlan *plan = task.is_drawn() ? task.next_plan() : nullptr) {
+		if (!pace.allows(scene.view.expected_usec(*plan))) {
+			return false;
 		}
 		scene.view.prepare(scene.setup, *plan);
+		task.leave_plan();
 	}
-	return false;
+	return (task.is_drawn() || (task.is_placed() && is_empty)) &&
+			pace.allows(exchanging.expected_usec(task.plant_count()));
 }
 
 void DirtyTiles::exchange(const Scene &scene, Job &&job) {
+	const Stopwatch watch;
 	const TileKey tile = job.task->tile();
+	const int plant_count = job.task->plant_count();
 	ArrivingChunks arriving;
 	StoreEdit edit = job.task->take_edit(arriving);
 	arriving.leaves_texels = !scene.streams(); // Multimeshes wider than a tile stay until all tiles are joined.
@@ -415,6 +416,7 @@ void DirtyTiles::exchange(const Scene &scene, Job &&job) {
 	if (job.lost_some) {
 		remove_gone(scene, changes);
 	}
+	exchanging.note(plant_count, watch.usec());
 }
 
 // Removes new plants that were removed while their tile was in progress.
@@ -433,21 +435,21 @@ void DirtyTiles::remove_gone(const Scene &scene, const ChangeSet &changes) {
 }
 
 bool DirtyTiles::resume(const Scene &scene, bool physics) {
-	const Stopwatch watch;
+	Pace pace = { Stopwatch(), scene.budget_usec };
 	poll_ground(scene, physics);
 	if (physics) {
 		return false;
 	}
 	choose(scene);
-	while (!to_remove.empty() && watch.usec() < scene.budget_usec) {
+	while (!to_remove.empty() && pace.watch.usec() < scene.budget_usec) {
 		leave(scene, TileKey(to_remove.back()));
 		to_remove.pop_back();
 	}
-	while (watch.usec() < scene.budget_usec && begin(scene)) { // First, because workers run parallel to this thread.
+	while (pace.watch.usec() < scene.budget_usec && begin(scene)) { // First, because workers run parallel to this thread.
 	}
 	bool is_any = false;
 	for (size_t i = 0; i < jobs.size();) {
-		if (!jobs[i].is_part() && resume(scene, jobs[i], watch)) {
+		if (!jobs[i].is_part() && resume(scene, jobs[i], pace)) {
 			exchange(scene, take_job(i)); // It may restart other jobs.
 			is_any = true;
 		} else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/piece_cost.hpp"
 #include "base/stopwatch.hpp"
 #include "field/build/ground_sampler.hpp"
 #include "field/build/tile_build_task.hpp"
@@ -119,6 +120,20 @@ private:
 		bool is_part() const { return task->part().has_value(); }
 	};
 
+	/// The pieces of one call of resume(). The first one always begins, so that each call makes progress.
+	struct Pace {
+		Stopwatch watch;
+		double budget_usec;
+		bool has_begun = false;
+
+		/// True if a piece of about `usec` may begin.
+		bool allows(double usec) {
+			const bool allowed = !has_begun || watch.usec() + usec < budget_usec;
+			has_begun = has_begun || allowed;
+			return allowed;
+		}
+	};
+
 	TileQueue queue; ///< Whole tiles.
 	std::map<TileKey, AreaBox> parts;
 	std::vector<Job> jobs; ///< At most one per tile.
@@ -140,6 +155,7 @@ private:
 	const TileBuildTask *querying = nullptr; ///< In `ground_queue`.
 	const TileBuildTask *querying_part = nullptr;
 	int frames_since_choice = 0;
+	PieceCost exchanging; ///< By the plants that arrive.
 
 	const std::shared_ptr<const FieldRenderSetup> &need_outline(const Scene &scene);
 	void set_base(const PlacementRequest &request);
@@ -161,7 +177,7 @@ private:
 	Job *find_job_for_ground(bool is_part);
 	void poll_ground(const Scene &scene, bool physics);
 	/// Returns true if a whole tile may be exchanged.
-	bool resume(const Scene &scene, Job &job, const Stopwatch &watch);
+	bool resume(const Scene &scene, Job &job, Pace &pace);
 	void exchange(const Scene &scene, Job &&job);
 	void remove_gone(const Scene &scene, const ChangeSet &changes);
 

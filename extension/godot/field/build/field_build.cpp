@@ -67,22 +67,11 @@ FieldResult &FieldBuild::finish() {
 	return result;
 }
 
-std::unique_ptr<BatchPlan> FieldBuild::take_plan() {
-	if (result.plans.empty()) {
-		return nullptr;
-	}
-	auto plan = std::make_unique<BatchPlan>(std::move(result.plans.back()));
-	result.plans.pop_back();
-	return plan;
-}
-
 std::function<void()> FieldBuild::take_garbage() {
 	auto chunks = std::make_shared<GeneratedChunks>(std::move(input.existing));
-	auto matches = std::make_shared<std::vector<PlantMatch>>(std::move(result.matches));
-	return [chunks = std::move(chunks), matches = std::move(matches)]() mutable {
-		chunks.reset();
-		matches.reset();
-	};
+	garbage.push_back(std::move(chunks));
+	garbage.push_back(std::make_shared<std::vector<PlantMatch>>(std::move(result.matches)));
+	return [all = std::move(garbage)]() mutable { all.clear(); };
 }
 
 void FieldBuild::work(void *self) {

@@ -84,7 +84,9 @@ public:
 	FieldRenderSetup &setup() { return result.setup; }
 	PlacementFault fault() const { return result.fault; }
 	/// The next plan of the result, or null.
-	std::unique_ptr<BatchPlan> take_plan();
+	const BatchPlan *next_plan() const { return result.plans.empty() ? nullptr : &result.plans.back(); }
+	/// Removes the next plan.
+	void leave_plan() { result.plans.pop_back(); }
 	/// Discards the result and ends the thread's work early.
 	void cancel() { is_cancelled = true; }
 	/// Waits for the thread and returns the result.
@@ -95,7 +97,10 @@ public:
 	bool has_rest() const { return input.has_rest; }
 	double rest_plants() const { return input.rest_plants; }
 	const std::vector<TileKey> &rest() const { return input.rest; }
-	/// Returns a function that frees the inputs and the unused parts of the result. Any thread may call it.
+	/// Adds an object to the garbage.
+	void add_garbage(std::shared_ptr<void> object) { garbage.push_back(std::move(object)); }
+	/// Returns a function that frees the garbage, the inputs and the unused parts of the result. Any thread may call
+	/// it.
 	std::function<void()> take_garbage();
 	/// How far the owner has prepared the exchange.
 	enum class Handover {
@@ -109,6 +114,7 @@ private:
 	enum class Stage { fresh, placing, placed, building, planned, done };
 
 	BuildInput input;
+	std::vector<std::shared_ptr<void>> garbage;
 	FieldResult result;
 	FieldPlants placed;
 	std::vector<float> heights;

@@ -99,6 +99,7 @@ void TileBuildTask::finish_placing() {
 void TileBuildTask::make_chunks() {
 	edit.left_tiles = { input.tile };
 	edit.spacing = input.spacing;
+	built_count = placed.size();
 	edit.arriving = cut_into_chunks(placed, input.tile_size);
 	placed.clear();
 	for (PlantChunk &chunk : edit.arriving) {
@@ -120,11 +121,8 @@ void TileBuildTask::plan() {
 	}
 }
 
-const BatchPlan *TileBuildTask::next_plan() {
-	if (shown > 0) {
-		plans[shown - 1].buffer = PackedFloat32Array(); // All of them at once would take long.
-	}
-	return shown < plans.size() ? &plans[shown++] : nullptr;
+void TileBuildTask::leave_plan() {
+	plans[shown++].buffer = PackedFloat32Array(); // All of them at once would take long.
 }
 
 void TileBuildTask::reserve(FieldMotion &motion) {

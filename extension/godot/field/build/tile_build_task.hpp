@@ -79,9 +79,13 @@ public:
 	/// Plans how the chunks are drawn.
 	void draw() { launch(Stage::drawing); }
 	bool is_drawn() const { return stage.load() == Stage::drawn; }
-	/// Returns the next plan, or null. It is valid until the next call.
-	const BatchPlan *next_plan();
+	/// Returns the next plan, or null if none is left.
+	const BatchPlan *next_plan() const { return shown < plans.size() ? &plans[shown] : nullptr; }
+	/// Frees the data of the next plan, which is no longer the next one.
+	void leave_plan();
 	const std::vector<ChunkToDraw> &chunks() const { return copies; }
+	/// Number of plants of a whole tile, once they are placed.
+	int plant_count() const { return built_count; }
 	std::vector<BatchPlan> take_plans() { return std::move(plans); }
 
 	/// Returns the edit that changes the tile. For a whole tile it replaces all generated plants, by `arriving`.
@@ -99,6 +103,7 @@ private:
 	std::vector<float> heights;
 	std::vector<glm::vec3> normals;
 	StoreEdit edit;
+	int built_count = 0;
 	std::vector<ChunkToDraw> copies;
 	std::vector<std::unique_ptr<PreparedChunk>> prepared;
 	std::vector<PlantMatch> matches;

@@ -406,9 +406,11 @@ void FieldView::move_all(Batches &from, std::vector<Batch> &into) {
 }
 
 void FieldView::prepare(const FieldRenderSetup &setup, const BatchPlan &plan) {
+	const Stopwatch watch;
 	prepared_levels = levels_of(setup);
 	prepared[plan.place].push_back(make(setup, plan));
 	next_revealed.reset();
+	preparing.note(plan.count, watch.usec());
 }
 
 void FieldView::forget_prepared() {

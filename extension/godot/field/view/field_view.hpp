@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/piece_cost.hpp"
 #include "field/motion/field_motion.hpp"
 #include "field/view/batch_plans.hpp"
 #include "field/view/near_plants.hpp"
@@ -28,6 +29,8 @@ public:
 
 	/// Creates the multimesh of a plan, for exchange() or show_tile() with the same setup.
 	void prepare(const FieldRenderSetup &setup, const BatchPlan &plan);
+	/// Expected µs of prepare().
+	double expected_usec(const BatchPlan &plan) const { return preparing.expected_usec(plan.count); }
 	/// Discards all prepared multimeshes.
 	void forget_prepared();
 	/// Passes prepared multimeshes to the renderer for about `usec`, while their materials draw nothing. All of them in
@@ -113,6 +116,7 @@ private:
 
 	Batches batches;
 	Batches prepared; ///< Not drawn yet.
+	PieceCost preparing;
 	std::vector<Batch> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
 	std::vector<Batch> gone; ///< Hidden, not freed yet.
 	std::map<int, TileKey> new_chunks; ///< Tiles by the number of a drawn chunk of new plants.
