@@ -135,7 +135,7 @@ func _count_added(field: PlantField3D) -> int:
 
 func _all_built() -> void:
 	await process_frame
-	while _fields.any(func(field: PlantField3D) -> bool: return field.is_building()):
+	while not _fields.all(is_settled):
 		await process_frame
 	await frames(10)
 
