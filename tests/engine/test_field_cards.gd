@@ -4,6 +4,7 @@ extends "res://tests/engine/field_harness.gd"
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
 const BELLFLOWER := "res://addons/undergrowth/species/bellflower.tres"
 const YARROW := "res://addons/undergrowth/species/yarrow.tres"
+const MEADOW := "res://addons/undergrowth/mixes/meadow.tscn"
 const INCLUDE := '#include "res://addons/undergrowth/shaders/%s.gdshaderinc"\n'
 const BEND := "shader_type spatial;\n" + INCLUDE % "undergrowth_bend"
 const CARD := INCLUDE % "undergrowth_card"
@@ -47,6 +48,19 @@ func test_cards_need_fewer_vertices_for_the_same_error() -> void:
 	fern.material = _material(SOLID)
 	await rested()
 	check(with_cards < 0.5 * _error_at(8), "%f m, solid %f m" % [with_cards, _error_at(8)])
+
+
+func test_cards_beside_solid_heads_are_as_exact_as_solid_levels() -> void:
+	field.free()
+	field = (load(MEADOW) as PackedScene).instantiate()
+	field.size = Vector2(12, 12)
+	field.simulation_enabled = false
+	await start()
+	for listed: Dictionary in field.get_statistics()["levels"]:
+		if (listed["species"] as Resource).resource_path == YARROW:
+			var at := Array(listed["segments"]).find(8)
+			check(at < 0 or listed["are_carded"][at] == 0, "solid heads 3 m away: %s" % [listed])
+			check(Array(listed["are_carded"]).count(1) > 0, "nearer levels have cards")
 
 
 func test_levels_of_users_have_no_cards() -> void:
