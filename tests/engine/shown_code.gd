@@ -53,6 +53,16 @@ const METHODS: Dictionary[String, String] = {
 }
 
 
+## Returns the path of a file or folder of the checkout, or "". The tests' project is in build/test,
+## or in the root folder.
+static func find_file(name: String) -> String:
+	for folder: String in ["../../..", "."]:
+		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(name)
+		if FileAccess.file_exists(path) or DirAccess.dir_exists_absolute(path):
+			return path
+	return ""
+
+
 ## Returns all fenced blocks of a Markdown file.
 static func in_markdown(path: String, name: String) -> Array[Block]:
 	var found: Array[Block] = []

@@ -4,8 +4,6 @@ extends "res://tests/engine/harness.gd"
 
 const Ready := preload("res://tests/engine/test_ready_species.gd")
 const ShownCode := preload("res://tests/engine/shown_code.gd")
-## Relative to the tests' project in build/test, or to a project in the root folder.
-const ROOTS: PackedStringArray = ["../../..", "."]
 const SAVED := "user://moor_grass.tres"
 ## A species that each table of step 3 contains.
 const LISTED := "poppy"
@@ -13,7 +11,8 @@ const LISTED := "poppy"
 
 func test_the_species_recipe_makes_a_species_that_passes_all_checks() -> void:
 	DirAccess.remove_absolute(SAVED)
-	var block := ShownCode.in_markdown(_place("CONTRIBUTING.md"), "CONTRIBUTING.md").filter(
+	var path := ShownCode.find_file("CONTRIBUTING.md")
+	var block := ShownCode.in_markdown(path, "CONTRIBUTING.md").filter(
 		func(one: ShownCode.Block) -> bool: return one.language == "gdscript"
 	)
 	check_equal(block.size(), 1, "blocks of GDScript")
@@ -48,18 +47,8 @@ func test_files_that_recipes_name_exist() -> void:
 	var found := named.search_all(_text("CONTRIBUTING.md"))
 	check(found.size() > 12, "%d files are named" % found.size())
 	for file in found:
-		var path := _place(file.get_string(1))
-		check(FileAccess.file_exists(path) or DirAccess.dir_exists_absolute(path), path)
+		check(ShownCode.find_file(file.get_string(1)) != "", file.get_string(1))
 
 
 func _text(name: String) -> String:
-	return FileAccess.get_file_as_string(_place(name))
-
-
-## Returns the path of a file of the checkout.
-func _place(name: String) -> String:
-	for folder in ROOTS:
-		var base := ProjectSettings.globalize_path("res://").path_join(folder)
-		if FileAccess.file_exists(base.path_join("CONTRIBUTING.md")):
-			return base.path_join(name)
-	return name
+	return FileAccess.get_file_as_string(ShownCode.find_file(name))

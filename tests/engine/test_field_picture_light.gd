@@ -111,7 +111,7 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 	)
 	var count := 0
 	for page in PAGES:
-		var path := _find(GUIDE + page)
+		var path := ShownCode.find_file(GUIDE + page)
 		check(path != "", "%s is missing" % page)
 		for block in ShownCode.in_markdown(path, page):
 			if block.language != "gdshader":
@@ -125,15 +125,6 @@ func test_shaders_of_the_guide_draw_leaves() -> void:
 	leaf.free()
 	RenderingServer.global_shader_parameter_remove(&"season")
 	check(count >= 2, "%d shaders" % count)
-
-
-# Returns the path of a file of the checkout, or "".
-func _find(file: String) -> String:
-	for folder: String in ["../../..", "."]:
-		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(file)
-		if FileAccess.file_exists(path):
-			return path
-	return ""
 
 
 func _blown(field: PlantField3D, name: String) -> Image:

@@ -70,12 +70,7 @@ func _check_antialiased(place: String) -> void:
 func _shaders() -> Array:
 	var blocks := []
 	for page in PAGES:
-		for folder: String in ["../../..", "."]:
-			var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(page)
-			if not FileAccess.file_exists(path):
-				continue
-			for block in ShownCode.in_markdown(path, page):
-				if block.language == "gdshader" and "UNDERGROWTH_BEND" in block.code:
-					blocks.append(block)
-			break
+		for block in ShownCode.in_markdown(ShownCode.find_file(page), page):
+			if block.language == "gdshader" and "UNDERGROWTH_BEND" in block.code:
+				blocks.append(block)
 	return blocks

@@ -4,7 +4,6 @@ extends "res://tests/engine/harness.gd"
 
 const ShownCode := preload("res://tests/engine/shown_code.gd")
 ## Relative to the tests' project in build/test, or to a project in the root folder.
-const ROOTS: PackedStringArray = ["../../..", "."]
 const TEXTS: PackedStringArray = ["README.md", "addons/undergrowth/README.md"]
 const GUIDE := "docs/guide"
 const HELP := "extension/doc_classes"
@@ -295,9 +294,6 @@ func _check_includes(block: ShownCode.Block) -> void:
 
 
 func _find(name: String) -> String:
-	for folder in ROOTS:
-		var path := ProjectSettings.globalize_path("res://").path_join(folder).path_join(name)
-		if FileAccess.file_exists(path) or DirAccess.dir_exists_absolute(path):
-			return path
-	check(false, name + " is not there")
-	return ""
+	var path := ShownCode.find_file(name)
+	check(path != "", name + " is not there")
+	return path

@@ -2,6 +2,7 @@
 
 #include "mesh/form_measure.hpp"
 #include "mesh/part_template.hpp"
+#include "mesh/sight_lens.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -171,7 +172,6 @@ private:
 			std::swap(low, high);
 		}
 	}
-	static int first_beyond(float place) { return static_cast<int>(std::clamp(place, 0.0f, 1e6f) + 0.5f); }
 	static float at(const Corner &low, const Corner &high, float level) {
 		const float rise = high.y - low.y;
 		return rise > 0.0f ? low.x + (high.x - low.x) * ((level - low.y) / rise) : low.x;

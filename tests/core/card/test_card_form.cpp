@@ -27,24 +27,9 @@ struct CardedPlant {
 	CardedPlant(Grow grow, uint64_t seed, int budget = BUDGET) :
 			form(grow(seed)), sheet(make_card_sheet(grow(2))), cards(make_card_form(form, sheet)) {
 		plan = plan_cards(cards, sheet, budget);
-		const size_t n = static_cast<size_t>(plan.counts.vertices);
-		mesh.positions.resize(n);
-		mesh.normals.resize(n);
-		mesh.tangents.resize(n);
-		mesh.colors.resize(n);
-		mesh.uvs.resize(n);
-		mesh.custom0.resize(n);
-		mesh.custom1.resize(n);
-		mesh.custom2.resize(n);
-		mesh.bones.resize(4 * n);
-		mesh.weights.resize(4 * n);
-		mesh.stem_places.resize(n);
-		mesh.indices.resize(static_cast<size_t>(plan.counts.indices), -1);
+		mesh.resize(plan.counts);
 		if (!plan.is_empty()) {
-			build_card_mesh(cards, plan, FormBones(), {}, form.height,
-					{ mesh.positions.data(), mesh.normals.data(), mesh.tangents.data(), mesh.colors.data(),
-							mesh.uvs.data(), mesh.custom0.data(), mesh.custom1.data(), mesh.custom2.data(),
-							mesh.bones.data(), mesh.weights.data(), mesh.indices.data(), mesh.stem_places.data() });
+			build_card_mesh(cards, plan, FormBones(), {}, form.height, mesh.buffers());
 		}
 	}
 

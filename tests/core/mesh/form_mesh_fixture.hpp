@@ -21,6 +21,25 @@ struct BuiltForm {
 	std::vector<int32_t> indices;
 	std::vector<float> stem_places;
 
+	void resize(const undergrowth::MeshCounts &counts) {
+		const size_t n = static_cast<size_t>(counts.vertices);
+		positions.resize(n);
+		normals.resize(n);
+		tangents.resize(n);
+		colors.resize(n);
+		uvs.resize(n);
+		custom0.resize(n);
+		custom1.resize(n);
+		custom2.resize(n);
+		bones.resize(4 * n);
+		weights.resize(4 * n);
+		stem_places.resize(n);
+		indices.resize(static_cast<size_t>(counts.indices), -1);
+	}
+	undergrowth::FormBuffers buffers() {
+		return { positions.data(), normals.data(), tangents.data(), colors.data(), uvs.data(), custom0.data(),
+			custom1.data(), custom2.data(), bones.data(), weights.data(), indices.data(), stem_places.data() };
+	}
 	int size() const { return static_cast<int>(positions.size()); }
 	uint64_t hash() const {
 		return GoldenHash()
@@ -43,24 +62,9 @@ struct BuiltForm {
 inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::FormPlan &plan, float height = 0.0f,
 		const undergrowth::MeshOptions &options = {}, const undergrowth::FormBones &bones = {}) {
 	BuiltForm mesh;
-	const size_t n = static_cast<size_t>(plan.counts.vertices);
-	mesh.positions.resize(n);
-	mesh.normals.resize(n);
-	mesh.tangents.resize(n);
-	mesh.colors.resize(n);
-	mesh.uvs.resize(n);
-	mesh.custom0.resize(n);
-	mesh.custom1.resize(n);
-	mesh.custom2.resize(n);
-	mesh.bones.resize(4 * n);
-	mesh.weights.resize(4 * n);
-	mesh.stem_places.resize(n);
-	mesh.indices.resize(static_cast<size_t>(plan.counts.indices), -1);
+	mesh.resize(plan.counts);
 	undergrowth::build_form_mesh(form, undergrowth::measure_form(form), plan, bones, options,
-			height > 0.0f ? height : form.height,
-			{ mesh.positions.data(), mesh.normals.data(), mesh.tangents.data(), mesh.colors.data(), mesh.uvs.data(),
-					mesh.custom0.data(), mesh.custom1.data(), mesh.custom2.data(), mesh.bones.data(),
-					mesh.weights.data(), mesh.indices.data(), mesh.stem_places.data() });
+			height > 0.0f ? height : form.height, mesh.buffers());
 	return mesh;
 }
 

@@ -363,7 +363,6 @@ const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, co
 	has_counted = true;
 	counted_for = camera;
 	counted.assign(setup.levels.size(), 0);
-	std::vector<int> &drawn = counted;
 	DrawingCamera seen_from;
 	seen_from.place = camera;
 	for (const auto &[place, group] : batches) {
@@ -371,7 +370,7 @@ const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, co
 			if (batch.near) {
 				const std::vector<FieldLevel> &species_levels = levels[size_t(batch.species)];
 				for (size_t i = 0; i < species_levels.size(); i++) {
-					drawn[i] += species_levels[i].is_near
+					counted[i] += species_levels[i].is_near
 							? batch.near->count_within(placed.affine_inverse().xform(camera), species_levels[i])
 							: 0;
 				}
@@ -381,11 +380,11 @@ const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, co
 			const float away = placed.xform(batch.middle).distance_to(camera);
 			const float radius = batch.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
-				drawn[size_t(place.level)] += batch.rank_counts[size_t(steps_for(level, batch, { seen_from }))];
+				counted[size_t(place.level)] += batch.rank_counts[size_t(steps_for(level, batch, { seen_from }))];
 			}
 		}
 	}
-	return drawn;
+	return counted;
 }
 
 void FieldView::free_batch(const Batch &batch) {

@@ -134,7 +134,7 @@ private:
 	bool is_culled = false; ///< False: something changed since.
 	std::vector<int> counted; ///< Drawn plants by level.
 	godot::Vector3 counted_for; ///< The camera.
-	bool has_counted = false; ///< The same.
+	bool has_counted = false; ///< `counted` is up to date for it.
 
 	void note_change() { is_culled = has_counted = false; }
 	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
