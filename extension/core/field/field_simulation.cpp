@@ -88,7 +88,9 @@ int FieldSimulation::add_page(MotionPage &&page, const MotionPlant *plants) {
 	if (place == entries.end()) {
 		entries.push_back(std::move(entry));
 		beats.emplace_back();
-		changed.reserve(entries.size()); // It grows within steps.
+		due_at.emplace_back();
+		changed.reserve(entries.size()); // These grow within steps.
+		stepping.reserve(entries.size());
 	} else {
 		free_pages--;
 		entry.is_changed = place->is_changed;
@@ -98,6 +100,7 @@ int FieldSimulation::add_page(MotionPage &&page, const MotionPlant *plants) {
 	beat(number) = Beat();
 	beat(number).interval = options.update_interval;
 	beat(number).phase = number;
+	set_due(number);
 	take_in(at(number), plants, count);
 	return number;
 }
@@ -198,22 +201,35 @@ void FieldSimulation::set_air_sources(const std::vector<AirSource> &sources) {
 
 void FieldSimulation::set_update_interval(int steps) {
 	options.update_interval = std::clamp(steps, 1, MAX_INTERVAL);
+	for (int page = 0; page < page_count(); page++) {
+		set_due(page);
+	}
 }
 
 void FieldSimulation::set_page_multiple(int page, int multiple) {
-	beat(page).multiple = std::clamp(multiple, 1, MAX_MULTIPLE);
+	const int wanted = std::clamp(multiple, 1, MAX_MULTIPLE);
+	if (std::exchange(beat(page).multiple, wanted) != wanted) {
+		set_due(page);
+	}
+}
+
+void FieldSimulation::set_page_phase(int page, int phase) {
+	beat(page).phase = phase;
+	set_due(page);
 }
 
 int FieldSimulation::page_interval(int page) const {
 	return std::min(options.update_interval * beat(page).multiple, LONGEST_INTERVAL);
 }
 
-bool FieldSimulation::is_due(int page, int64_t number) const {
+/// Call it after each change of what page_interval() and a page's next step depend on.
+void FieldSimulation::set_due(int page) {
 	const int interval = page_interval(page);
 	// A page with a shorter interval first finishes the time of its last step, so that no pose jumps.
 	const Beat &own = beat(page);
-	const bool is_free = own.last_step < 0 || number >= own.last_step + own.interval;
-	return is_free && (interval == 1 || number % interval == own.phase % interval);
+	const int64_t first = own.last_step < 0 ? next_step : std::max(next_step, own.last_step + own.interval);
+	const int64_t to_phase = (own.phase - first) % interval;
+	due_at[static_cast<std::size_t>(page)] = first + (to_phase < 0 ? to_phase + interval : to_phase);
 }
 
 void FieldSimulation::set_bodies(const MovingBody *bodies, int count) {
@@ -239,21 +255,29 @@ void FieldSimulation::begin_step() {
 		step_prototypes(number);
 	}
 	step_prototypes(next_step);
-	choose_modes();
-	const bool is_air = blowing.wind.kind == WindKind::air;
-	for (int page = 0; page < page_count() && models.empty(); page++) { // Followers have no steps of their own.
-		if (is_air) {
-			at(page).page.make_room_ahead();
-		}
-		if (is_due(page, next_step)) {
-			rates_changed += beat(page).interval != page_interval(page) ? 1 : 0;
-			beat(page).interval = page_interval(page);
-			beat(page).last_step = next_step;
-		}
-	}
+	begin_pages();
 	next_step++;
 	delays.step();
 	step_detached();
+}
+
+void FieldSimulation::begin_pages() {
+	stepping.clear();
+	for (int page = 0; page < page_count() && models.empty(); page++) { // Followers have no steps of their own.
+		if (!is_due(page)) {
+			continue;
+		}
+		choose_modes(page);
+		if (blowing.wind.kind == WindKind::air) {
+			at(page).page.make_room_ahead();
+		}
+		Beat &own = beat(page);
+		rates_changed += own.interval != page_interval(page) ? 1 : 0;
+		own.interval = page_interval(page);
+		own.last_step = next_step;
+		set_due(page);
+		stepping.push_back(page);
+	}
 }
 
 void FieldSimulation::step_pages(int begin, int end) {
@@ -340,7 +364,7 @@ int FieldSimulation::due_count() const {
 }
 
 int FieldSimulation::due_count(int page) const {
-	return at(page).page.swings() && is_due(page, next_step) ? at(page).page.live_count() : 0;
+	return is_due(page) && at(page).page.swings() ? at(page).page.live_count() : 0;
 }
 
 float FieldSimulation::alpha(int page, float fraction) const {
@@ -455,22 +479,21 @@ void FieldSimulation::apply_impulse(int page, int index, const glm::vec3 &impuls
 	push_follower(at(page), index, pushed);
 }
 
-/// Chooses the number of stepped modes from now on, the same for a whole page.
-void FieldSimulation::choose_modes() {
-	for (int page = 0; page < page_count() && models.empty(); page++) {
-		MotionPage &plants = at(page).page;
-		if (plants.max_modes() < 2 || !is_due(page, next_step)) {
-			continue; // A change between its steps would move both drawn ends of the last one.
-		}
-		Beat &own = beat(page);
-		own.last_push = plants.take_moved() ? next_step : own.last_push;
-		own.last_near = own.is_near ? next_step : own.last_near;
-		const int64_t alone = next_step - std::max(own.last_push, own.last_near);
-		if (alone <= steps_in(DetachedFollowers::ALONE)) {
-			show_modes(page, 2);
-		} else if (alone > steps_in(DetachedFollowers::ALONE + DetachedFollowers::GOING_BACK)) {
-			show_modes(page, 1);
-		}
+/// Chooses the number of stepped modes from now on, the same for a whole page. For a page that is due: a change between
+/// its steps would move both drawn ends of the last one.
+void FieldSimulation::choose_modes(int page) {
+	MotionPage &plants = at(page).page;
+	if (plants.max_modes() < 2) {
+		return;
+	}
+	Beat &own = beat(page);
+	own.last_push = plants.take_moved() ? next_step : own.last_push;
+	own.last_near = own.is_near ? next_step : own.last_near;
+	const int64_t alone = next_step - std::max(own.last_push, own.last_near);
+	if (alone <= steps_in(DetachedFollowers::ALONE)) {
+		show_modes(page, 2);
+	} else if (alone > steps_in(DetachedFollowers::ALONE + DetachedFollowers::GOING_BACK)) {
+		show_modes(page, 1);
 	}
 }
 
@@ -568,7 +591,8 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 
 double FieldSimulation::bytes_per_plant() const {
 	const int plants = plant_count();
-	std::size_t bytes = entries.capacity() * sizeof(Entry) + beats.capacity() * sizeof(Beat);
+	std::size_t bytes = entries.capacity() * sizeof(Entry) + beats.capacity() * sizeof(Beat) +
+			due_at.capacity() * sizeof(int64_t) + stepping.capacity() * sizeof(int);
 	for (const Entry &entry : entries) {
 		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
 	}

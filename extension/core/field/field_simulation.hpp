@@ -87,7 +87,7 @@ public:
 	void set_page_near(int page, bool is_near) { beat(page).is_near = is_near; }
 	/// Sets in which step of its interval a page is due; the default is its number. Pages that share an upload should
 	/// share the phase. Call it before the page's first step.
-	void set_page_phase(int page, int phase) { beat(page).phase = phase; }
+	void set_page_phase(int page, int phase);
 	/// Bodies that push plants in the next steps; invalid bodies are skipped. A pushed follower swings by itself until
 	/// it comes to rest (DetachedFollowers).
 	void set_bodies(const MovingBody *bodies, int count);
@@ -108,6 +108,8 @@ public:
 	/// begin_step() and step_pages() of all.
 	void step();
 
+	/// Pages of the present step, ascending; empty with prototypes.
+	const std::vector<int> &due_pages() const { return stepping; }
 	/// True if the present step changed the page's bends.
 	bool has_stepped(int page) const { return beat(page).last_step == next_step - 1; }
 	/// Interpolation weight from each plant's bend before to its bend after, `fraction` of a step after the present one
@@ -207,6 +209,8 @@ private:
 	int stir_turn = -1; ///< Of the next step within the round; -1: not counted since sources exist.
 	std::vector<Entry> entries;
 	std::vector<Beat> beats; ///< As many.
+	std::vector<int64_t> due_at; ///< As many: the next step of each page. A step reads only these of most pages.
+	std::vector<int> stepping; ///< Pages of the present step.
 	std::vector<int> changed;
 	int free_pages = 0;
 	int plant_rows = 0; ///< Rows of all pages when the box was computed.
@@ -228,10 +232,13 @@ private:
 	void update_box();
 	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
-	bool is_due(int page, int64_t number) const;
+	void set_due(int page);
+	/// In the next step.
+	bool is_due(int page) const { return due_at[static_cast<std::size_t>(page)] == next_step; }
+	void begin_pages();
 	void step_page(int page);
 	int64_t steps_in(float seconds) const { return static_cast<int64_t>(seconds / options.step); }
-	void choose_modes();
+	void choose_modes(int page);
 	float ease_of(int page) const;
 	void show_modes(int page, int count);
 	void wake(int page);

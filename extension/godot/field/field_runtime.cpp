@@ -116,7 +116,9 @@ void FieldRuntime::refresh(const Transform3D &axes) {
 		unseen.clear();
 	}
 	materials.send_followers(setup, motion, axes);
-	materials.send_swing_clock(setup, motion, seen_distances(axes));
+	if (materials.has_swinging(setup)) {
+		materials.send_swing_clock(motion, seen_distances(axes));
+	}
 	materials.send_leans(setup, motion);
 	upload_usec = watch.usec();
 }

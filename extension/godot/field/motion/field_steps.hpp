@@ -44,6 +44,7 @@ private:
 	MeanLean *measured = nullptr;
 	TipContact *touching = nullptr;
 	std::vector<int> runs; ///< First pages of the parts that threads take, and the end.
+	int plants_in_run = 0; ///< Of the last part.
 	std::atomic<int> next_part[PHASES] = {};
 	std::atomic<int> parts_done[PHASES] = {};
 	std::atomic<int64_t> busy_nsec{ 0 };
@@ -54,6 +55,9 @@ private:
 	bool is_divided = false;
 
 	int divide();
+	int divide_due();
+	int divide_all();
+	void add_to_run(int page, int plants);
 	int work_of_step(int due) const;
 	int max_work() const;
 	static void work(void *self, uint32_t worker);

@@ -84,7 +84,7 @@ void PoseTexture::release(const TexelRows &rows) {
 }
 
 void PoseTexture::give_rows(int page, int plants) {
-	pages.resize(std::max(pages.size(), size_t(page) + 1));
+	add_pages(page);
 	Page &own = pages[size_t(page)];
 	const int count = (plants + SIDE - 1) / SIDE;
 	if (own.rows.layer >= 0 && own.rows.count >= count) {
@@ -93,9 +93,9 @@ void PoseTexture::give_rows(int page, int plants) {
 	if (own.rows.layer >= 0) {
 		// A page that grows will grow again.
 		release(own.rows);
-		take_as_new(own, find_rows(std::min(std::max(count, 2 * own.rows.count), SIDE)));
+		take_as_new(page, find_rows(std::min(std::max(count, 2 * own.rows.count), SIDE)));
 	} else {
-		take_as_new(own, find_rows(count));
+		take_as_new(page, find_rows(count));
 	}
 }
 
@@ -105,16 +105,23 @@ void PoseTexture::make_room(double row_count) {
 	}
 }
 
-void PoseTexture::take_as_new(Page &page, const Rows &rows) {
-	page.rows = rows;
-	page.share = page.rate_time = -1.0f;
+// Up to this one.
+void PoseTexture::add_pages(int page) {
+	pages.resize(std::max(pages.size(), size_t(page) + 1));
+	blends_sent.resize(pages.size());
+}
+
+void PoseTexture::take_as_new(int page, const Rows &rows) {
+	pages[size_t(page)].rows = rows;
+	pages[size_t(page)].rate_time = -1.0f;
+	blends_sent[size_t(page)] = { rows.layer * SIDE + rows.first, rows.count, -1.0f };
 	has_new_rows = true;
 	forget_heights(rows);
 }
 
 void PoseTexture::give_reserved(int page, const TexelRows &rows) {
-	pages.resize(std::max(pages.size(), size_t(page) + 1));
-	take_as_new(pages[size_t(page)], rows);
+	add_pages(page);
+	take_as_new(page, rows);
 }
 
 void PoseTexture::leave_rows(int page) {
@@ -127,6 +134,7 @@ void PoseTexture::leave_rows(int page) {
 		write_hidden(own);
 		will_write(page);
 		own = Page();
+		blends_sent[size_t(page)] = {};
 	}
 }
 
@@ -134,6 +142,7 @@ void PoseTexture::take_rows(int page) {
 	if (has_rows(page)) {
 		release(pages[size_t(page)].rows);
 		pages[size_t(page)] = Page();
+		blends_sent[size_t(page)] = {};
 	}
 }
 
@@ -243,7 +252,10 @@ bool PoseTexture::make_textures() {
 	beat_texture = server->texture_2d_create(beat_image);
 	std::fill(is_dirty.begin(), is_dirty.end(), uint8_t(0));
 	for (Page &page : pages) {
-		page.share = page.rate_time = -1.0f;
+		page.rate_time = -1.0f;
+	}
+	for (BlendRows &rows : blends_sent) {
+		rows.share = -1.0f;
 	}
 	has_new_rows = true;
 	textured_layers = layers.size();
@@ -271,15 +283,18 @@ void PoseTexture::upload_layers() {
 	}
 }
 
+// Pages with a longer interval get another blend in each frame, so this reads only what it needs of each page.
 void PoseTexture::upload_blends(const FieldSimulation &simulation, float fraction) {
 	bool has_changed = false;
-	for (int number = 0; number < int(pages.size()); number++) {
-		Page &page = pages[size_t(number)];
-		const float share = has_rows(number) ? simulation.alpha(number, fraction) : page.share;
-		if (share != page.share) {
-			page.share = share;
-			float *to = shares.data() + size_t(page.rows.layer) * SIDE + size_t(page.rows.first);
-			std::fill(to, to + page.rows.count, share);
+	for (size_t number = 0; number < blends_sent.size(); number++) {
+		BlendRows &rows = blends_sent[number];
+		if (rows.count == 0) {
+			continue;
+		}
+		const float share = simulation.alpha(int(number), fraction);
+		if (share != rows.share) {
+			rows.share = share;
+			std::fill_n(shares.data() + rows.first, rows.count, share);
 			has_changed = true;
 		}
 	}

@@ -115,7 +115,6 @@ private:
 	using Rows = TexelRows;
 	struct Page {
 		Rows rows;
-		float share = -1.0f; ///< The uploaded blend.
 		float rate_time = -1.0f; ///< s, the uploaded FieldSimulation::rate_time().
 		bool has_seconds = false; ///< As uploaded.
 		std::vector<uint16_t> hidden; ///< Rows of removed plants and of plants that skeletons show.
@@ -126,6 +125,12 @@ private:
 	std::vector<uint64_t> free_rows; ///< By layer: a bit for each row.
 	std::vector<uint8_t> is_dirty; ///< By layer: written and not uploaded.
 	std::vector<Page> pages; ///< By page number of the simulation.
+	struct BlendRows {
+		int first = 0; ///< In `shares`.
+		int count = 0; ///< 0: the page has no rows.
+		float share = -1.0f; ///< The uploaded blend.
+	};
+	std::vector<BlendRows> blends_sent; ///< As many. Separate, because each frame reads all of them.
 	bool has_new_rows = false; ///< Some pages' beats are not uploaded.
 	int64_t sent_rates = -1; ///< FieldSimulation::rates_version() of the uploaded beats.
 	using History = std::array<int, MAX_STEM_MODES>; ///< By mode: its first layer, or -1.
@@ -153,7 +158,8 @@ private:
 	/// Returns the first of `count` consecutive layers for a history.
 	int take_layers(int count);
 	Rows find_rows(int count);
-	void take_as_new(Page &page, const Rows &rows);
+	void add_pages(int page);
+	void take_as_new(int page, const Rows &rows);
 	bool has_rows(int page) const { return size_t(page) < pages.size() && pages[size_t(page)].rows.layer >= 0; }
 	uint8_t *bytes_of(const Rows &rows);
 	void write_hidden(const Page &page);

@@ -208,12 +208,15 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 	}
 }
 
-// Sets the parameter in the renderer only: a material's own copy of it would cost more than everything else here.
-void FieldMaterials::send_swing_clock(
-		const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen) {
+bool FieldMaterials::has_swinging(const FieldRenderSetup &setup) {
 	if (!is_listed) {
 		list_swinging(setup);
 	}
+	return !swinging.empty();
+}
+
+// Sets the parameter in the renderer only: a material's own copy of it would cost more than everything else here.
+void FieldMaterials::send_swing_clock(const FieldMotion &motion, const SeenDistances &seen) {
 	if (seen.nearest >= swings_to) {
 		return; // Does not read the list.
 	}

@@ -30,7 +30,9 @@ public:
 	void follow(const FieldRenderSetup &setup);
 	/// Sets the swing clock of this frame in the levels that are drawn at these distances. The remaining levels get it
 	/// when they are drawn.
-	void send_swing_clock(const FieldRenderSetup &setup, const FieldMotion &motion, const SeenDistances &seen);
+	void send_swing_clock(const FieldMotion &motion, const SeenDistances &seen);
+	/// True if leaves of any level swing. Without them send_swing_clock() is not needed.
+	bool has_swinging(const FieldRenderSetup &setup);
 	/// Sets the mean leans of species whose mean has changed visibly.
 	void send_leans(const FieldRenderSetup &setup, const FieldMotion &motion);
 	/// Sets the bending shapes of stems.
