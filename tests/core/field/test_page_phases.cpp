@@ -53,30 +53,31 @@ TEST_CASE("a page with a reused number is due by that number again") {
 TEST_CASE("changed intervals take effect at the first step of the phase after the present interval") {
 	FieldSimulation field = mixed_field({}, 1024);
 	const int pages = field.page_count();
-	std::vector<int> multiples(std::size_t(pages), 1), intervals(std::size_t(pages), 1), phases(std::size_t(pages));
-	std::vector<int64_t> last_steps(std::size_t(pages), -1);
+	const auto count = static_cast<std::size_t>(pages);
+	std::vector<int> multiples(count, 1), intervals(count, 1), phases(count, 0);
+	std::vector<int64_t> last_steps(count, -1);
 	for (int page = 0; page < pages; page++) {
-		phases[std::size_t(page)] = page;
+		phases[static_cast<std::size_t>(page)] = page;
 	}
 	int of_field = 1;
 	for (int64_t step = 0; step < 400; step++) {
 		const auto chance = [step](uint64_t which) { return mix_bits(static_cast<uint64_t>(step) * 8 + which) >> 8; };
 		const int changed = static_cast<int>(chance(0) % static_cast<uint64_t>(pages));
 		if (step % 3 == 0) {
-			multiples[std::size_t(changed)] = 1 << chance(1) % 5;
-			field.set_page_multiple(changed, multiples[std::size_t(changed)]);
+			multiples[static_cast<std::size_t>(changed)] = 1 << chance(1) % 5;
+			field.set_page_multiple(changed, multiples[static_cast<std::size_t>(changed)]);
 		}
 		if (step % 17 == 0) {
 			of_field = 1 + static_cast<int>(chance(2) % 5);
 			field.set_update_interval(of_field);
 		}
 		if (step % 29 == 0) {
-			phases[std::size_t(changed)] = static_cast<int>(chance(3) % 64);
-			field.set_page_phase(changed, phases[std::size_t(changed)]);
+			phases[static_cast<std::size_t>(changed)] = static_cast<int>(chance(3) % 64);
+			field.set_page_phase(changed, phases[static_cast<std::size_t>(changed)]);
 		}
 		std::vector<int> due;
 		for (int page = 0; page < pages; page++) {
-			const auto i = std::size_t(page);
+			const auto i = static_cast<std::size_t>(page);
 			const int interval = std::min(of_field * multiples[i], 64);
 			if ((last_steps[i] < 0 || step >= last_steps[i] + intervals[i]) && (step - phases[i]) % interval == 0) {
 				due.push_back(page);
@@ -87,7 +88,7 @@ TEST_CASE("changed intervals take effect at the first step of the phase after th
 		field.step();
 		REQUIRE(field.due_pages() == due);
 		for (int page = 0; page < pages; page++) {
-			CHECK(field.has_stepped(page) == (last_steps[std::size_t(page)] == step));
+			CHECK(field.has_stepped(page) == (last_steps[static_cast<std::size_t>(page)] == step));
 		}
 	}
 }
