@@ -35,9 +35,8 @@ std::string Growth::add_kind(const Part &part, int &kind) {
 	if (fault.empty()) {
 		kind = static_cast<int>(grown.parts.size());
 		grown.parts.push_back(part);
-		MidribCurve even = part.curve;
-		even.wander = 0.0f;
-		grown.midribs.emplace_back(part.kind == PartKind::bead ? MidribCurve() : even);
+		families.emplace_back(part.kind == PartKind::bead ? MidribCurve() : part.curve);
+		grown.midribs.emplace_back(families.back());
 	}
 	return fault;
 }
@@ -171,7 +170,7 @@ void Growth::place(int group, const Arrangement &arrangement, int carrier, const
 	placed.tint = signed_noise(own_seed, DRAW_TINT);
 	if (part.curve.wander > 0.0f && part.kind != PartKind::bead) {
 		placed.own_midrib = static_cast<int>(grown.wanderers.size());
-		grown.wanderers.emplace_back(part.curve, mix_bits(own_seed ^ DRAW_WANDER));
+		grown.wanderers.emplace_back(families[static_cast<size_t>(placed.kind)], mix_bits(own_seed ^ DRAW_WANDER));
 	}
 	own_group.count++;
 	grown.placed.push_back(placed);

@@ -29,6 +29,7 @@ public:
 
 private:
 	PlantForm grown;
+	std::vector<Midrib::Family> families; ///< By kind.
 	uint64_t seed;
 
 	std::string find_carrier_fault(const std::vector<int> &carriers) const;

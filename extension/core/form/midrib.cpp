@@ -16,31 +16,70 @@ constexpr int NOISE_KNOTS = NOISE_SPANS + 3;
 // Half of 1/√3: two such points integrate a step exactly up to its cube.
 constexpr double GAUSS = 0.28867513459481288225;
 
-/// Smooth noise of one offset, within ±1: a cubic B-spline over equal spans.
-double smooth_noise(uint64_t seed, int channel, double s) {
-	const double place = s * NOISE_SPANS;
-	const int span = std::clamp(static_cast<int>(place), 0, NOISE_SPANS - 1);
-	const double t = place - span;
-	const double r = 1.0 - t;
-	const double share[4] = { r * r * r / 6.0, (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0,
-		(4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0, t * t * t / 6.0 };
-	double sum = 0.0;
-	for (int i = 0; i < 4; i++) {
-		sum += share[i] * signed_noise(seed, static_cast<uint64_t>(channel * NOISE_KNOTS + span + i));
+constexpr int STEPS = Midrib::STEPS;
+/// At each node, and at two points before it.
+constexpr int SAMPLES = 3 * STEPS + 1;
+
+/// An offset at which the line's direction is computed, and the weights of the noise there: a cubic B-spline over
+/// equal spans.
+struct Sample {
+	double offset = 0.0;
+	int span = 0;
+	double weights[4] = {};
+
+	Sample() = default;
+	explicit Sample(double s) : offset(s), span(std::clamp(static_cast<int>(s * NOISE_SPANS), 0, NOISE_SPANS - 1)) {
+		const double t = s * NOISE_SPANS - span;
+		const double r = 1.0 - t;
+		weights[0] = r * r * r / 6.0;
+		weights[1] = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0;
+		weights[2] = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0;
+		weights[3] = t * t * t / 6.0;
 	}
-	return sum;
+};
+
+std::array<Sample, SAMPLES> make_samples() {
+	std::array<Sample, SAMPLES> all;
+	all[0] = Sample(0.0);
+	for (int i = 0; i < STEPS; i++) {
+		const double middle = (i + 0.5) / STEPS;
+		all[static_cast<std::size_t>(3 * i + 1)] = Sample(middle - GAUSS / STEPS);
+		all[static_cast<std::size_t>(3 * i + 2)] = Sample(middle + GAUSS / STEPS);
+		all[static_cast<std::size_t>(3 * i + 3)] = Sample((i + 1.0) / STEPS);
+	}
+	return all;
 }
 
-/// Direction of the line at the offset `s`.
-glm::dvec3 direction(const MidribCurve &curve, uint64_t seed, double s) {
-	double turn = curve.bend == 0.0f ? 0.0 : curve.bend * (curve.power == 1.0f ? s : portable_pow(s, curve.power));
-	double aside = 0.0;
-	if (curve.wander > 0.0f) {
-		turn += curve.wander * s * smooth_noise(seed, 0, s);
-		aside = curve.wander * s * smooth_noise(seed, 1, s);
+const std::array<Sample, SAMPLES> &samples() {
+	static const std::array<Sample, SAMPLES> all = make_samples();
+	return all;
+}
+
+/// Smooth noise of a plant's part, within ±1, in two channels: turns along and aside.
+class Noise {
+public:
+	explicit Noise(uint64_t seed) {
+		for (std::size_t i = 0; i < 2 * NOISE_KNOTS; i++) {
+			knots[i] = signed_noise(seed, static_cast<uint64_t>(i));
+		}
 	}
-	const double level = portable_cos(aside);
-	return { portable_sin(aside), level * portable_cos(turn), level * portable_sin(turn) };
+
+	double at(const Sample &sample, int channel) const {
+		double sum = 0.0;
+		for (int i = 0; i < 4; i++) {
+			sum += sample.weights[i] * knots[static_cast<std::size_t>(channel * NOISE_KNOTS + sample.span + i)];
+		}
+		return sum;
+	}
+
+private:
+	double knots[2 * NOISE_KNOTS];
+};
+
+glm::dvec3 direction(double turn, double aside) {
+	const SineAndCosine side = portable_sine_and_cosine(aside);
+	const SineAndCosine up = portable_sine_and_cosine(turn);
+	return { side.sine, side.cosine * up.cosine, side.cosine * up.sine };
 }
 
 /// Turns `across` by the smallest turn from `from` to `to`, and makes it exactly perpendicular to `to` again.
@@ -53,19 +92,42 @@ glm::dvec3 carry(glm::dvec3 across, const glm::dvec3 &from, const glm::dvec3 &to
 
 } // namespace
 
-Midrib::Midrib(const MidribCurve &curve, uint64_t seed) {
+Midrib::Family::Family(const MidribCurve &of) : curve(of), turns(SAMPLES, 0.0) {
+	for (std::size_t i = 0; curve.bend != 0.0f && i < turns.size(); i++) {
+		const double s = samples()[i].offset;
+		turns[i] = curve.bend * (curve.power == 1.0f ? s : portable_pow(s, curve.power));
+	}
+}
+
+Midrib::Midrib(const Family &family) : is_straight(family.curve.bend == 0.0f) {
+	follow([&](int number) { return direction(family.turns[static_cast<std::size_t>(number)], 0.0); });
+}
+
+Midrib::Midrib(const Family &family, uint64_t seed) {
+	const double wander = family.curve.wander;
+	if (!(wander > 0.0)) {
+		*this = Midrib(family);
+		return;
+	}
+	is_straight = false;
+	const Noise noise(seed);
+	follow([&](int number) {
+		const Sample &sample = samples()[static_cast<std::size_t>(number)];
+		const double turn = family.turns[static_cast<std::size_t>(number)];
+		const double max = wander * sample.offset;
+		return direction(turn + max * noise.at(sample, 0), max * noise.at(sample, 1));
+	});
+}
+
+template <class Directions> void Midrib::follow(const Directions &direction_at) {
 	glm::dvec3 point(0.0);
-	glm::dvec3 along = direction(curve, seed, 0.0);
+	glm::dvec3 along = direction_at(0);
 	glm::dvec3 across(1.0, 0.0, 0.0);
 	nodes[0] = { point, along, across };
-	is_straight = curve.bend == 0.0f && !(curve.wander > 0.0f);
 	for (int i = 0; i < STEPS; i++) {
-		const double middle = (i + 0.5) / STEPS;
-		const glm::dvec3 step = is_straight
-				? along + along
-				: direction(curve, seed, middle - GAUSS / STEPS) + direction(curve, seed, middle + GAUSS / STEPS);
+		const glm::dvec3 step = is_straight ? along + along : direction_at(3 * i + 1) + direction_at(3 * i + 2);
 		point += step * (0.5 / STEPS);
-		const glm::dvec3 next = is_straight ? along : direction(curve, seed, (i + 1.0) / STEPS);
+		const glm::dvec3 next = is_straight ? along : direction_at(3 * i + 3);
 		across = carry(across, along, next);
 		along = next;
 		nodes[static_cast<size_t>(i) + 1] = { point, along, across };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace undergrowth {
 
@@ -18,6 +19,8 @@ struct MidribCurve {
 /// length changes as it bends). Its own axes: it begins at the origin along +y and bends towards +z.
 class Midrib {
 public:
+	static constexpr int STEPS = 48; ///< Between the points that are stored.
+
 	/// A point on the line and its axes: across = (1, 0, 0) at the base, along × across = up.
 	/// They never turn about the line (rotation-minimising: Wang, Jüttler, Zheng and Liu 2008).
 	struct Place {
@@ -28,8 +31,22 @@ public:
 		glm::vec3 curvature; ///< Change of `along` per length.
 	};
 
+	/// What all midribs of a curve have in common, computed once: their turns without noise.
+	class Family {
+	public:
+		explicit Family(const MidribCurve &curve);
+
+	private:
+		friend class Midrib;
+		MidribCurve curve;
+		std::vector<double> turns; ///< rad, at the sampled offsets.
+	};
+
 	/// `seed` chooses the noise; without `wander` it is unused.
-	explicit Midrib(const MidribCurve &curve, uint64_t seed = 0);
+	Midrib(const Family &family, uint64_t seed);
+	/// Without noise.
+	explicit Midrib(const Family &family);
+	explicit Midrib(const MidribCurve &curve, uint64_t seed = 0) : Midrib(Family(curve), seed) {}
 
 	/// The place at the offset `s` from 0 to 1. Points lie within 1e-4 of the exact curve.
 	Place at(float s) const;
@@ -37,7 +54,6 @@ public:
 	glm::vec3 point_at(float s) const;
 
 private:
-	static constexpr int STEPS = 48;
 	struct Node {
 		glm::vec3 point;
 		glm::vec3 along;
@@ -46,6 +62,8 @@ private:
 	std::array<Node, STEPS + 1> nodes;
 	bool is_straight = true;
 
+	/// `direction_at(number)` returns the direction at a sampled offset.
+	template <class Directions> void follow(const Directions &direction_at);
 	/// The last node at or below an offset, never the very last; `beyond`: the fraction of the way to the
 	/// next node.
 	const Node &node_below(float s, float &beyond) const;

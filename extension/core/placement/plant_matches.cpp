@@ -18,13 +18,13 @@ PlantId id_of(const PlantChunk &chunk, int slot, double spacing) {
 	return generated_plant_id(root.x, root.z, spacing);
 }
 
-GeneratedChunks copy_of(const PlantStore &store, const std::vector<int> &numbers) {
+GeneratedChunks chunks_of(const PlantStore &store, const std::vector<int> &numbers) {
 	GeneratedChunks generated;
 	generated.spacing = store.spacing();
 	for (const int number : numbers) {
 		const PlantChunk &chunk = store.chunk(number);
 		if (!chunk.is_added && chunk.live_count() > 0) {
-			generated.chunks.emplace_back(number, chunk);
+			generated.chunks.emplace_back(number, store.share(number));
 		}
 	}
 	return generated;
@@ -33,9 +33,9 @@ GeneratedChunks copy_of(const PlantStore &store, const std::vector<int> &numbers
 /// True if the plants are the same as before, as after most changes. Then ids need no comparison.
 bool are_the_same(const GeneratedChunks &before, const std::vector<PlantChunk> &now, double spacing) {
 	return std::equal(now.begin(), now.end(), before.chunks.begin(), before.chunks.end(),
-			[spacing](const PlantChunk &chunk, const std::pair<int, PlantChunk> &was) {
-				return was.second.spacing == spacing && was.second.gone == 0 && chunk.plants.x == was.second.plants.x &&
-						chunk.plants.z == was.second.plants.z;
+			[spacing](const PlantChunk &chunk, const std::pair<int, std::shared_ptr<const PlantChunk>> &was) {
+				return was.second->spacing == spacing && was.second->gone == 0 &&
+						chunk.plants.x == was.second->plants.x && chunk.plants.z == was.second->plants.z;
 			});
 }
 
@@ -44,7 +44,7 @@ std::vector<PlantMatch> keep_all(const GeneratedChunks &chunks) {
 	std::vector<PlantMatch> matches;
 	for (std::size_t i = 0; i < chunks.chunks.size(); i++) {
 		const auto &[number, chunk] = chunks.chunks[i];
-		for (int slot = 0; slot < chunk.size(); slot++) {
+		for (int slot = 0; slot < chunk->size(); slot++) {
 			matches.push_back({ { number, slot }, { static_cast<int>(i), slot } });
 		}
 	}
@@ -83,11 +83,11 @@ CellGrid grid_around(const GeneratedChunks &generated, double spacing) {
 	glm::ivec2 low(std::numeric_limits<int>::max());
 	glm::ivec2 high(std::numeric_limits<int>::min());
 	for (const auto &[number, chunk] : generated.chunks) {
-		for (const glm::vec3 &corner : { chunk.low, chunk.high }) {
+		for (const glm::vec3 &corner : { chunk->low, chunk->high }) {
 			glm::ivec2 cell;
 			generated_plant_cell(generated_plant_id(corner.x, corner.z, spacing), cell.x, cell.y);
-			low = chunk.spacing == spacing ? glm::min(low, cell) : low;
-			high = chunk.spacing == spacing ? glm::max(high, cell) : high;
+			low = chunk->spacing == spacing ? glm::min(low, cell) : low;
+			high = chunk->spacing == spacing ? glm::max(high, cell) : high;
 		}
 	}
 	low.x--; // Rows are shifted by half a cell.
@@ -146,23 +146,23 @@ private:
 
 } // namespace
 
-GeneratedChunks copy_generated(const PlantStore &store) {
+GeneratedChunks share_generated(const PlantStore &store) {
 	std::vector<int> numbers(static_cast<std::size_t>(store.chunk_count()));
 	std::iota(numbers.begin(), numbers.end(), 0);
-	return copy_of(store, numbers);
+	return chunks_of(store, numbers);
 }
 
-GeneratedChunks copy_generated_in(const PlantStore &store, const TileKey &tile) {
-	return copy_of(store, store.chunks_of(tile));
+GeneratedChunks share_generated_in(const PlantStore &store, const TileKey &tile) {
+	return chunks_of(store, store.chunks_of(tile));
 }
 
 FieldPlants gather_plants(const GeneratedChunks &generated, const std::vector<int> &species_numbers) {
 	FieldPlants plants;
 	for (const auto &[number, chunk] : generated.chunks) {
-		const int species = species_numbers[static_cast<std::size_t>(chunk.species)];
-		for (int slot = 0; slot < chunk.size() && species >= 0; slot++) {
-			if (!chunk.is_gone(slot)) {
-				PlacedPlant plant = chunk.plants.plant(slot);
+		const int species = species_numbers[static_cast<std::size_t>(chunk->species)];
+		for (int slot = 0; slot < chunk->size() && species >= 0; slot++) {
+			if (!chunk->is_gone(slot)) {
+				PlacedPlant plant = chunk->plants.plant(slot);
 				plant.species = species;
 				plants.add(plant);
 			}
@@ -178,16 +178,16 @@ std::vector<PlantMatch> match_plants(
 	}
 	std::size_t count = 0;
 	for (const auto &[number, chunk] : before.chunks) {
-		count += chunk.spacing == spacing ? static_cast<std::size_t>(chunk.size()) : 0;
+		count += chunk->spacing == spacing ? static_cast<std::size_t>(chunk->size()) : 0;
 	}
 	if (count == 0) {
 		return {};
 	}
 	PlacesByName by_id(grid_around(before, spacing), count);
 	for (const auto &[number, chunk] : before.chunks) {
-		for (int slot = 0; chunk.spacing == spacing && slot < chunk.size(); slot++) {
-			if (!chunk.is_gone(slot)) {
-				by_id.add(id_of(chunk, slot, spacing), { number, slot });
+		for (int slot = 0; chunk->spacing == spacing && slot < chunk->size(); slot++) {
+			if (!chunk->is_gone(slot)) {
+				by_id.add(id_of(*chunk, slot, spacing), { number, slot });
 			}
 		}
 	}

@@ -2,6 +2,7 @@
 
 #include "placement/plant_store.hpp"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -9,14 +10,14 @@ namespace undergrowth {
 
 /// Generated plants: their chunks, and the spacing (m) of their last placement.
 struct GeneratedChunks {
-	std::vector<std::pair<int, PlantChunk>> chunks; ///< Each with its number in the store.
+	std::vector<std::pair<int, std::shared_ptr<const PlantChunk>>> chunks; ///< Each with its number in the store.
 	double spacing = 1.0;
 };
 
-/// Copies all generated plants of a store.
-GeneratedChunks copy_generated(const PlantStore &store);
+/// Returns all generated plants of a store. Later edits of the store do not change them, and any thread may read them.
+GeneratedChunks share_generated(const PlantStore &store);
 /// The same for one tile.
-GeneratedChunks copy_generated_in(const PlantStore &store, const TileKey &tile);
+GeneratedChunks share_generated_in(const PlantStore &store, const TileKey &tile);
 
 /// Collects the existing plants of species that remain. `species_numbers` maps old species to new ones (-1: removed).
 FieldPlants gather_plants(const GeneratedChunks &generated, const std::vector<int> &species_numbers);

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -60,9 +61,18 @@ ChangeSet PlantStore::apply(StoreEdit &&edit) {
 	return changes;
 }
 
+PlantChunk &PlantStore::own(int number) {
+	std::shared_ptr<PlantChunk> &chunk = chunks[static_cast<std::size_t>(number)];
+	if (chunk.use_count() > 1) {
+		chunk = std::make_shared<PlantChunk>(*chunk);
+	}
+	std::atomic_thread_fence(std::memory_order_acquire); // Another thread's last reads end before the change.
+	return *chunk;
+}
+
 int PlantStore::take_number() {
 	if (free_numbers.empty()) {
-		chunks.emplace_back();
+		chunks.push_back(std::make_shared<PlantChunk>());
 		return chunk_count() - 1;
 	}
 	const int number = free_numbers.back();
@@ -76,12 +86,13 @@ void PlantStore::insert(PlantChunk &&chunk, ChangeSet &changes) {
 	chunk.spacing = cell_size;
 	spacings[cell_size]++;
 	tiles[chunk.tile].push_back(number);
-	chunks[static_cast<std::size_t>(number)] = std::move(chunk);
+	chunks[static_cast<std::size_t>(number)] = std::make_shared<PlantChunk>(std::move(chunk));
 	changes.grown.push_back({ number, 0 });
 }
 
 void PlantStore::drop(int number, ChangeSet &changes) {
-	PlantChunk &chunk = chunks[static_cast<std::size_t>(number)];
+	std::shared_ptr<PlantChunk> &there = chunks[static_cast<std::size_t>(number)];
+	const PlantChunk &chunk = *there;
 	const auto tile = tiles.find(chunk.tile);
 	std::vector<int> &members = tile->second;
 	members.erase(std::find(members.begin(), members.end(), number));
@@ -96,7 +107,7 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 	if (same != spacings.end() && --same->second == 0) {
 		spacings.erase(same);
 	}
-	changes.left.push_back(std::exchange(chunk, PlantChunk()));
+	changes.left.push_back(std::exchange(there, std::make_shared<PlantChunk>()));
 	free_numbers.push_back(number);
 	changes.dropped.push_back(number);
 }
@@ -120,10 +131,11 @@ void PlantStore::leave(const TileKey &tile, ChangeSet &changes) {
 }
 
 void PlantStore::rename_species(const std::vector<int> &numbers) {
-	for (PlantChunk &chunk : chunks) {
-		if (!chunk.is_added || numbers.empty()) {
+	for (int number = 0; number < chunk_count(); number++) {
+		if (!this->chunk(number).is_added || numbers.empty()) {
 			continue;
 		}
+		PlantChunk &chunk = own(number);
 		chunk.species = numbers[static_cast<std::size_t>(chunk.species)];
 		std::fill(chunk.plants.species.begin(), chunk.plants.species.end(), static_cast<uint8_t>(chunk.species));
 	}
@@ -150,7 +162,7 @@ void PlantStore::recut_added(ChangeSet &changes) {
 }
 
 void PlantStore::remove(const PlantRef &ref, ChangeSet &changes) {
-	PlantChunk &chunk = chunks[static_cast<std::size_t>(ref.chunk)];
+	const PlantChunk &chunk = this->chunk(ref.chunk);
 	if (chunk.size() == 0 || chunk.is_gone(ref.slot)) {
 		return;
 	}
@@ -161,8 +173,9 @@ void PlantStore::remove(const PlantRef &ref, ChangeSet &changes) {
 		drop(ref.chunk, changes);
 		return;
 	}
-	chunk.plants.scale[static_cast<std::size_t>(ref.slot)] = 0.0f;
-	chunk.gone++;
+	PlantChunk &changed = own(ref.chunk);
+	changed.plants.scale[static_cast<std::size_t>(ref.slot)] = 0.0f;
+	changed.gone++;
 	plant_total--;
 	changes.gone.push_back(ref);
 }
@@ -185,7 +198,7 @@ int PlantStore::need_chunk(const PlacedPlant &plant, bool is_added, ChangeSet &c
 	int number = open_chunk(tile, plant.species, is_added);
 	if (number < 0) {
 		number = take_number();
-		PlantChunk &fresh = chunks[static_cast<std::size_t>(number)];
+		PlantChunk &fresh = own(number);
 		fresh.tile = tile;
 		fresh.species = plant.species;
 		fresh.is_added = is_added;
@@ -205,7 +218,7 @@ int PlantStore::need_chunk(const PlacedPlant &plant, bool is_added, ChangeSet &c
 
 void PlantStore::add(const PlacedPlant &plant, PlantId id, ChangeSet &changes) {
 	const int number = need_chunk(plant, true, changes);
-	PlantChunk &into = chunks[static_cast<std::size_t>(number)];
+	PlantChunk &into = own(number);
 	into.add(plant);
 	into.ids.push_back(id);
 	added_refs[id] = { number, into.size() - 1 };
@@ -214,7 +227,7 @@ void PlantStore::add(const PlacedPlant &plant, PlantId id, ChangeSet &changes) {
 
 PlantRef PlantStore::grow(const PlacedPlant &plant, ChangeSet &changes) {
 	const int number = need_chunk(plant, false, changes);
-	PlantChunk &into = chunks[static_cast<std::size_t>(number)];
+	PlantChunk &into = own(number);
 	into.add(plant);
 	plant_total++;
 	return { number, into.size() - 1 };
@@ -487,9 +500,9 @@ std::vector<PlantId> PlantStore::ids() const {
 }
 
 std::size_t PlantStore::bytes() const {
-	std::size_t bytes = chunks.capacity() * sizeof(PlantChunk);
-	for (const PlantChunk &chunk : chunks) {
-		bytes += chunk.plants.bytes() + chunk.ids.capacity() * sizeof(PlantId);
+	std::size_t bytes = chunks.capacity() * sizeof(chunks[0]) + chunks.size() * sizeof(PlantChunk);
+	for (const std::shared_ptr<PlantChunk> &chunk : chunks) {
+		bytes += chunk->plants.bytes() + chunk->ids.capacity() * sizeof(PlantId);
 	}
 	return bytes;
 }

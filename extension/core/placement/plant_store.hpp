@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -60,7 +61,8 @@ struct ChangeSet {
 	};
 
 	std::vector<int> dropped; ///< Removed chunks. New chunks may reuse their numbers.
-	std::vector<PlantChunk> left; ///< Contents of removed chunks, so that another thread can free them.
+	/// Contents of removed chunks, so that another thread can free them.
+	std::vector<std::shared_ptr<const PlantChunk>> left;
 	std::vector<Grown> grown;
 	/// Removed plants of chunks that still exist. A chunk of generated plants remains when it is empty; one of added
 	/// plants is dropped.
@@ -85,7 +87,9 @@ public:
 	/// Upper bound of chunk numbers.
 	int chunk_count() const { return static_cast<int>(chunks.size()); }
 	/// An unused number has an empty chunk.
-	const PlantChunk &chunk(int number) const { return chunks[static_cast<std::size_t>(number)]; }
+	const PlantChunk &chunk(int number) const { return *chunks[static_cast<std::size_t>(number)]; }
+	/// The same for other threads: later edits do not change this chunk.
+	std::shared_ptr<const PlantChunk> share(int number) const { return chunks[static_cast<std::size_t>(number)]; }
 	/// Ascending.
 	const std::vector<int> &chunks_of(const TileKey &tile) const;
 	float tile_size() const { return size; }
@@ -130,13 +134,15 @@ private:
 	float size = 16.0f; ///< m.
 	double cell_size = 1.0; ///< m.
 	std::map<double, int> spacings; ///< Number of generated chunks by spacing.
-	std::vector<PlantChunk> chunks;
+	std::vector<std::shared_ptr<PlantChunk>> chunks;
 	std::vector<int> free_numbers;
 	std::map<TileKey, std::vector<int>> tiles;
 	std::unordered_map<PlantId, PlantRef> added_refs;
 	int64_t next_added = 0;
 	int plant_total = 0;
 
+	/// Returns the chunk for a change. Copies it first if share() returned it.
+	PlantChunk &own(int number);
 	int take_number();
 	std::vector<int> ordered_chunks() const;
 	void insert(PlantChunk &&chunk, ChangeSet &changes);

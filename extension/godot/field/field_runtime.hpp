@@ -252,7 +252,7 @@ private:
 	void resume_sampling();
 	/// As rebuild(), but plants that were removed meanwhile stay removed.
 	void restart_build(bool places);
-	void copy_existing_plants(BuildInput &input) const;
+	void take_existing_plants(BuildInput &input) const;
 	godot::String make_build_input(BuildInput &input);
 	void poll_parts(DirtyTiles::Moment moment, double delta);
 	void drop_job();

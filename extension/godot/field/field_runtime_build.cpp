@@ -154,10 +154,16 @@ bool FieldRuntime::make_ready() {
 			return false;
 		}
 	}
-	if (std::exchange(job->handover, FieldBuild::Handover::shown) == FieldBuild::Handover::none) {
+	if (job->handover == FieldBuild::Handover::none) {
 		has_other_materials = false;
-		materials.make(next_setup);
+		job->handover = FieldBuild::Handover::dressed;
+	}
+	if (job->handover == FieldBuild::Handover::dressed) {
+		if (!materials.make(next_setup, left_usec())) {
+			return false;
+		}
 		materials.hide(next_setup);
+		job->handover = FieldBuild::Handover::shown;
 	}
 	for (bool is_first = true; const BatchPlan *plan = job->next_plan(); is_first = false) {
 		if (!is_first && view.expected_usec(*plan) > left_usec()) {
@@ -289,7 +295,7 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	edit.species_numbers = finished.species_numbers();
 	ChangeSet changes = store.apply(std::move(edit));
 	finished.add_garbage(motion.adopt(*result.motion, result.matches, changes, store, setup));
-	finished.add_garbage(std::make_shared<std::vector<PlantChunk>>(std::move(changes.left)));
+	finished.add_garbage(std::make_shared<decltype(changes.left)>(std::move(changes.left)));
 	motion.set_update_interval(properties.update_interval);
 	own_edits.follow_all(store, setup, motion);
 	for (const int i : other_rests) {

@@ -68,20 +68,20 @@ void FieldRuntime::join_tiles() {
 		input.setup.styles[i].materials.clear();
 		input.species_numbers.push_back(int(i));
 	}
-	copy_existing_plants(input);
+	take_existing_plants(input);
 	removed_meanwhile.clear();
 	job = std::make_unique<FieldBuild>(std::move(input));
 	joins = true;
 	job->start();
 }
 
-void FieldRuntime::copy_existing_plants(BuildInput &input) const {
+void FieldRuntime::take_existing_plants(BuildInput &input) const {
 	const Ref<PlantWind> &wind = properties.wind;
 	input.settings = settings();
 	input.makes_meshes = renders_on_threads();
 	input.tile_size = float(properties.tile_size);
 	input.wind = field_wind(wind, axes_of(node), wind.is_valid() ? wind->get_time() : 0.0);
-	input.existing = copy_generated(store);
+	input.existing = share_generated(store);
 	input.edits = own_edits.known();
 }
 
@@ -100,7 +100,7 @@ String FieldRuntime::make_build_input(BuildInput &input) {
 		ground = input.ground;
 		tiles.forget_parts();
 	}
-	copy_existing_plants(input);
+	take_existing_plants(input);
 	input.is_of_tiles = places && streams();
 	input.draws_tiles = streams();
 	if (input.is_of_tiles) {

@@ -34,8 +34,9 @@ struct Scene {
 		GeneratedChunks all;
 		all.spacing = spacing;
 		for (const PlantChunk &chunk : chunks) {
-			all.chunks.emplace_back(7 + 3 * static_cast<int>(all.chunks.size()), chunk);
-			all.chunks.back().second.spacing = spacing;
+			auto shared = std::make_shared<PlantChunk>(chunk);
+			shared->spacing = spacing;
+			all.chunks.emplace_back(7 + 3 * static_cast<int>(all.chunks.size()), std::move(shared));
 		}
 		return all;
 	}
@@ -52,9 +53,9 @@ PlantId id_of(const PlantChunk &chunk, int slot, double spacing) {
 std::map<PlantId, PlantRef> ids_of(const GeneratedChunks &generated) {
 	std::map<PlantId, PlantRef> ids;
 	for (const auto &[number, chunk] : generated.chunks) {
-		for (int slot = 0; slot < chunk.size(); slot++) {
-			if (!chunk.is_gone(slot)) {
-				ids[id_of(chunk, slot, generated.spacing)] = { number, slot };
+		for (int slot = 0; slot < chunk->size(); slot++) {
+			if (!chunk->is_gone(slot)) {
+				ids[id_of(*chunk, slot, generated.spacing)] = { number, slot };
 			}
 		}
 	}
@@ -143,8 +144,10 @@ TEST_CASE("plants are transferred in narrow, slanting and distant areas") {
 TEST_CASE("a removed plant is not transferred when it grows again at its position") {
 	const Scene scene = scene_of(square_field(20.0f, 3.0f, 5));
 	GeneratedChunks before = scene.numbered();
-	before.chunks[2].second.plants.scale[1] = 0.0f;
-	before.chunks[2].second.gone = 1;
+	PlantChunk changed = *before.chunks[2].second;
+	changed.plants.scale[1] = 0.0f;
+	changed.gone = 1;
+	before.chunks[2].second = std::make_shared<PlantChunk>(std::move(changed));
 	CHECK(check_matches(before, scene) == plants_of(scene) - 1);
 }
 
@@ -196,7 +199,7 @@ TEST_CASE("a rebuild of styles gathers all plants except added ones, removed one
 		const PlantChunk &chunk = store.chunk(number);
 		expected += chunk.is_added || chunk.species == 1 ? 0 : chunk.live_count();
 	}
-	const FieldPlants plants = gather_plants(copy_generated(store), { 1, -1, 0 });
+	const FieldPlants plants = gather_plants(share_generated(store), { 1, -1, 0 });
 	CHECK(plants.size() == expected);
 	for (const uint8_t species : plants.species) {
 		CHECK(species <= 1);

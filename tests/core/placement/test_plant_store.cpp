@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <utility>
 #include <vector>
@@ -102,6 +103,24 @@ TEST_CASE("removing a plant removes only that plant") {
 	around.clear();
 	store.find_in_sphere({ 5.0f, 0.0f, 5.0f }, 3.0f, around);
 	CHECK(around.empty());
+}
+
+TEST_CASE("chunks for other threads do not change with the store") {
+	PlantStore store = filled_store();
+	const PlantRef place = { 3, 5 };
+	const std::shared_ptr<const PlantChunk> shared = store.share(place.chunk);
+	const float scale = shared->plants.scale[5];
+	REQUIRE(scale > 0.0f);
+	StoreEdit removing;
+	removing.removed = { place };
+	store.apply(std::move(removing));
+	CHECK(store.chunk(place.chunk).is_gone(place.slot));
+	CHECK(shared->plants.scale[5] == scale);
+	CHECK(shared->gone == 0);
+	StoreEdit leaving;
+	leaving.left_tiles = store.generated_tiles();
+	store.apply(std::move(leaving));
+	CHECK(shared->size() > 5);
 }
 
 TEST_CASE("removing a plant twice counts once") {

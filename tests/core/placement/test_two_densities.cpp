@@ -78,7 +78,7 @@ TEST_CASE("a replaced tile transfers the same plants, and none of another densit
 	store.apply(replacing(field_of(4.0f), TILE));
 	PlacementRequest smaller = field_of(4.0f);
 	smaller.area = square_field(11.0f, 4.0f, 2).area;
-	const GeneratedChunks before = copy_generated_in(store, EXCHANGED);
+	const GeneratedChunks before = share_generated_in(store, EXCHANGED);
 	const StoreEdit again = exchange(smaller, EXCHANGED);
 	int count = 0;
 	for (const PlantChunk &chunk : again.arriving) {
@@ -90,7 +90,7 @@ TEST_CASE("a replaced tile transfers the same plants, and none of another densit
 	CHECK(match_plants(before, denser.arriving, denser.spacing).empty());
 	std::set<TileKey> tiles;
 	for (const auto &entry : before.chunks) {
-		tiles.insert(entry.second.tile);
+		tiles.insert(entry.second->tile);
 	}
 	CHECK(tiles == std::set<TileKey>{ EXCHANGED });
 }

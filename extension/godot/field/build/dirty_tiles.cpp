@@ -332,7 +332,7 @@ bool DirtyTiles::describe(const Scene &scene, TileBuildInput &input) const {
 	input.spacing = spacing;
 	input.edits = scene.edits.cut(box);
 	input.settings = scene.settings;
-	input.existing = copy_generated_in(scene.store, input.tile);
+	input.existing = share_generated_in(scene.store, input.tile);
 	return true;
 }
 

@@ -105,6 +105,7 @@ public:
 	/// How far the owner has prepared the exchange.
 	enum class Handover {
 		none,
+		dressed, ///< Its setup has materials, perhaps not all.
 		shown, ///< Its setup has materials, and multimeshes are prepared.
 		transferring, ///< The transfer of motion has begun.
 	};

@@ -1,6 +1,7 @@
 #include "field/view/field_materials.hpp"
 
 #include "base/messages.hpp"
+#include "base/stopwatch.hpp"
 #include "field/build/build_input.hpp"
 #include "field/view/field_material.hpp"
 #include "form/shared_cards.hpp"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace godot;
 
@@ -36,26 +38,36 @@ Ref<Material> FieldMaterials::source_material(const SpeciesStyle &style) const {
 	return instead.is_valid() ? instead : style.function->get_material();
 }
 
-void FieldMaterials::make(FieldRenderSetup &setup) const {
+Ref<ShaderMaterial> FieldMaterials::make_one(const SpeciesStyle &style, size_t level) const {
+	const bool has_cards = style.is_carded(level);
+	// After a change to a material without cards, the present meshes still have them until the next build.
+	const bool has_other = has_cards && style.has_other_cards(node->get_material_override());
+	const Ref<Material> source = has_other ? Ref<Material>() : source_material(style);
+	const Ref<ShaderMaterial> made = make_field_material(source, style.has_parts(), has_cards);
+	if (has_cards) {
+		made->set_shader_parameter("undergrowth_card_colors", style.cards->colors());
+		made->set_shader_parameter("undergrowth_card_surfaces", style.cards->surfaces());
+	}
+	return made;
+}
+
+bool FieldMaterials::make(FieldRenderSetup &setup, double usec) const {
+	const Stopwatch watch;
+	bool is_any = false;
 	for (SpeciesStyle &style : setup.styles) {
-		const bool is_new = style.materials.empty();
-		for (size_t i = style.materials.size(); i < setup.levels.size() + 2; i++) { // The last two are for shadows.
-			const bool has_cards = style.is_carded(i);
-			// After a change to a material without cards, the present meshes still have them until the next build.
-			const bool has_other = has_cards && style.has_other_cards(node->get_material_override());
-			const Ref<Material> source = has_other ? Ref<Material>() : source_material(style);
-			style.materials.push_back(make_field_material(source, style.has_parts(), has_cards));
-			if (has_cards) {
-				style.materials.back()->set_shader_parameter("undergrowth_card_colors", style.cards->colors());
-				style.materials.back()->set_shader_parameter("undergrowth_card_surfaces", style.cards->surfaces());
+		while (style.materials.size() < setup.levels.size() + 2) { // The last two are for shadows.
+			if (std::exchange(is_any, true) && watch.usec() > usec) {
+				return false;
+			}
+			style.materials.push_back(make_one(style, style.materials.size()));
+			if (style.materials.size() == 1 && !bends_in_shader(style.materials[0])) {
+				report_error(style.function.ptr(),
+						"its material has a shader that does not bend in a PlantField3D. Include "
+						"undergrowth_bend.gdshaderinc, which says how.");
 			}
 		}
-		if (is_new && !style.materials.empty() && !bends_in_shader(style.materials[0])) {
-			report_error(style.function.ptr(),
-					"its material has a shader that does not bend in a PlantField3D. Include "
-					"undergrowth_bend.gdshaderinc, which says how.");
-		}
 	}
+	return true;
 }
 
 void FieldMaterials::hide(const FieldRenderSetup &setup) const {
@@ -70,7 +82,7 @@ void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	sent_leans.clear();
-	make(setup);
+	make(setup, std::numeric_limits<double>::infinity());
 	for (SpeciesStyle &style : setup.styles) {
 		bind_style(style, motion);
 	}
@@ -80,7 +92,7 @@ void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motio
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	sent_leans.clear();
-	make(setup);
+	make(setup, std::numeric_limits<double>::infinity());
 	bind_style(setup.styles.back(), motion);
 }
 

@@ -14,8 +14,9 @@ class FieldMaterials {
 public:
 	explicit FieldMaterials(const godot::GeometryInstance3D *field) : node(field) {}
 
-	/// Creates missing materials. Reports a shader that does not bend, once for each style.
-	void make(FieldRenderSetup &setup) const;
+	/// Creates missing materials in about `usec`, at least one. Returns true if none is missing. Reports a shader that
+	/// does not bend, once for each style.
+	bool make(FieldRenderSetup &setup, double usec) const;
 	/// Stops the drawing of all instances with these materials, until bind().
 	void hide(const FieldRenderSetup &setup) const;
 	/// Creates missing materials and sets levels and textures in all materials.
@@ -63,6 +64,7 @@ private:
 	void list_swinging(const FieldRenderSetup &setup);
 	void send_stem(const SpeciesStyle &style) const;
 	godot::Ref<godot::Material> source_material(const SpeciesStyle &style) const;
+	godot::Ref<godot::ShaderMaterial> make_one(const SpeciesStyle &style, size_t level) const;
 };
 
 } // namespace undergrowth

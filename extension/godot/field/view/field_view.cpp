@@ -34,9 +34,13 @@ template <class Act> void FieldView::for_each(Act &&act) const {
 
 FieldView::~FieldView() {
 	if (RenderingServer::get_singleton()) {
-		move_all(batches, gone);
-		move_all(prepared, gone);
-		std::for_each(leaving.begin(), leaving.end(), &FieldView::free_batch);
+		leaving.push_back(std::move(batches));
+		leaving.push_back(std::move(prepared));
+		for (const Batches &groups : leaving) {
+			for (const auto &[place, group] : groups) {
+				std::for_each(group.begin(), group.end(), &FieldView::free_batch);
+			}
+		}
 		std::for_each(gone.begin(), gone.end(), &FieldView::free_batch);
 	}
 }
@@ -397,23 +401,18 @@ void FieldView::free_batch(const Batch &batch) {
 	server->free_rid(batch.multimesh);
 }
 
-void FieldView::move_all(Batches &from, std::vector<Batch> &into) {
-	for (auto &[place, group] : from) {
-		into.insert(into.end(), std::make_move_iterator(group.begin()), std::make_move_iterator(group.end()));
-	}
-	from.clear();
-}
-
 void FieldView::prepare(const FieldRenderSetup &setup, const BatchPlan &plan) {
 	const Stopwatch watch;
-	prepared_levels = levels_of(setup);
+	if (prepared.empty()) {
+		prepared_levels = levels_of(setup);
+	}
 	prepared[plan.place].push_back(make(setup, plan));
 	next_revealed.reset();
 	preparing.note(plan.count, watch.usec());
 }
 
 void FieldView::forget_prepared() {
-	move_all(prepared, leaving);
+	leaving.push_back(std::exchange(prepared, {}));
 	next_revealed.reset();
 }
 
@@ -515,9 +514,8 @@ void FieldView::forget_tile(const TileKey &tile) {
 }
 
 void FieldView::exchange(const FieldRenderSetup &setup) {
-	move_all(batches, leaving);
+	leaving.push_back(std::exchange(batches, std::exchange(prepared, {})));
 	new_chunks.clear();
-	batches = std::exchange(prepared, {});
 	next_revealed.reset();
 	levels = levels_of(setup);
 	near.bind(setup);
@@ -528,9 +526,16 @@ void FieldView::exchange(const FieldRenderSetup &setup) {
 bool FieldView::free_some(double usec, bool hides_all) {
 	const Stopwatch watch;
 	while (!leaving.empty() && (hides_all || watch.usec() < usec)) {
-		set_visible(leaving.back(), false);
-		gone.push_back(std::move(leaving.back()));
-		leaving.pop_back();
+		const auto group = leaving.back().begin();
+		if (group == leaving.back().end()) {
+			leaving.pop_back();
+			continue;
+		}
+		for (Batch &batch : group->second) {
+			set_visible(batch, false);
+			gone.push_back(std::move(batch));
+		}
+		leaving.back().erase(group);
 	}
 	while (!gone.empty() && watch.usec() < usec) {
 		free_batch(gone.back());

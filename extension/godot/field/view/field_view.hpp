@@ -117,7 +117,7 @@ private:
 	Batches batches;
 	Batches prepared; ///< Not drawn yet.
 	PieceCost preparing;
-	std::vector<Batch> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
+	std::vector<Batches> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
 	std::vector<Batch> gone; ///< Hidden, not freed yet.
 	std::map<int, TileKey> new_chunks; ///< Tiles by the number of a drawn chunk of new plants.
 	using Levels = std::vector<std::vector<FieldLevel>>; ///< By species.
@@ -147,7 +147,6 @@ private:
 			godot::RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch);
 	int level_count() const { return levels.empty() ? 0 : int(levels.front().size()); }
 	static void free_batch(const Batch &batch);
-	static void move_all(Batches &from, std::vector<Batch> &into);
 	void clear(const BatchKey &place);
 	void show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch);
 	static bool has_near(const std::vector<Batch> &group);
