@@ -50,6 +50,15 @@ func test_plants_near_the_camera_come_first() -> void:
 		field = _make_field()
 
 
+func test_a_small_field_across_many_tiles_is_built_in_one_part() -> void:
+	field.size = Vector2.ONE * 49.0  # Its tiles would have room for 32,000 plants.
+	root.add_child(field)
+	await until(_has_plants, "the plants come")
+	check_equal(field.is_building(), false, "others follow")
+	var count := field.get_plant_count()
+	check(count > 10000 and count < PLANTS_OF_FIRST_PART, "%d plants" % count)
+
+
 func test_a_build_in_parts_gives_the_same_plants_as_one_in_one_part() -> void:
 	var whole := _make_field()
 	whole.density = 0.5

@@ -3,7 +3,7 @@ extends "res://tests/engine/harness.gd"
 
 const PATH := "user://saved_entry.tres"
 
-## Arguments of each received signal: [is_species_change, is_motion_change].
+## The kind of change of each received signal.
 var _signals := []
 
 
@@ -74,15 +74,19 @@ func test_each_real_change_is_signalled_once() -> void:
 	)
 
 
-func test_listeners_can_distinguish_a_change_of_the_species_from_one_of_the_field() -> void:
+func test_a_change_states_its_kind() -> void:
 	var tulip := TulipFunction.new()
 	var entry := _listened(PlantFieldSpecies.of(tulip))
 	entry.weight = 0.5
 	tulip.mass = 0.5
 	tulip.flower_color = Color.RED
 	entry.species = GrassFunction.new()
-	check_equal(_signals, [[false, false], [true, true], [true, false], [false, false]])
-	check(not entry.is_species_change(), "nothing is emitted now")
+	entry.lod_bias = 2.0
+	var placement := PlantFieldSpecies.CHANGE_PLACEMENT
+	var motion := PlantFieldSpecies.CHANGE_MOTION
+	var appearance := PlantFieldSpecies.CHANGE_APPEARANCE
+	check_equal(_signals, [placement, motion, appearance, placement, appearance])
+	check_equal(entry.get_change_kind(), PlantFieldSpecies.CHANGE_NONE, "nothing is emitted now")
 
 
 func test_a_species_that_was_replaced_is_no_longer_followed() -> void:
@@ -101,8 +105,10 @@ func test_what_a_listener_sets_is_a_change_of_its_own() -> void:
 	entry.changed.connect(set_weight)
 	tulip.mass = 0.5
 	entry.changed.disconnect(set_weight)
-	check_equal(_signals, [[true, true], [false, false]])
-	check(not entry.is_species_change(), "the first emission is over")
+	check_equal(_signals, [PlantFieldSpecies.CHANGE_MOTION, PlantFieldSpecies.CHANGE_PLACEMENT])
+	check_equal(
+		entry.get_change_kind(), PlantFieldSpecies.CHANGE_NONE, "the first emission is over"
+	)
 
 
 func test_an_entry_may_be_freed_while_it_emits_changed() -> void:
@@ -181,4 +187,4 @@ func _listened(entry: PlantFieldSpecies) -> PlantFieldSpecies:
 
 func _record(resource: Resource) -> void:
 	var entry := resource as PlantFieldSpecies
-	_signals.append([entry.is_species_change(), entry.is_motion_change()] if entry else [])
+	_signals.append(entry.get_change_kind() if entry else -1)

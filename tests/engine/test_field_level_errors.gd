@@ -46,8 +46,11 @@ func test_the_distance_is_the_error_over_the_allowed_pixels() -> void:
 func test_a_bias_of_a_species_multiplies_its_distances_only() -> void:
 	await start()
 	var before := [_levels()[0]["ends"], _levels()[1]["ends"]]
+	var builds := [0]
+	field.build_finished.connect(func() -> void: builds[0] += 1)
 	field.species[0].lod_bias = 1.5
 	await rested()
+	check_equal(builds[0], 0, "builds: no plant is placed again")
 	var after := [_levels()[0]["ends"], _levels()[1]["ends"]]
 	check_near(after[0][-2], 1.5 * before[0][-2], 0.01 * after[0][-2], "of the fern")
 	check_equal(after[1], before[1], "of the grass")

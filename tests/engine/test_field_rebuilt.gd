@@ -154,6 +154,7 @@ func _max_apart(some: PackedFloat32Array, others: PackedFloat32Array) -> float:
 
 func _described(of: PlantField3D) -> Array:
 	var ids := of.get_plant_ids()
+	ids.sort()
 	return [ids, of.get_plant_transforms(ids), of.get_plant_heights(ids)]
 
 

@@ -1,11 +1,15 @@
 #include "placement/plant_store.hpp"
 
+#include "placement/curve_key.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -92,7 +96,7 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 	if (same != spacings.end() && --same->second == 0) {
 		spacings.erase(same);
 	}
-	chunk = PlantChunk();
+	changes.left.push_back(std::exchange(chunk, PlantChunk()));
 	free_numbers.push_back(number);
 	changes.dropped.push_back(number);
 }
@@ -444,10 +448,35 @@ PlantId PlantStore::id(const PlantRef &place) const {
 	return generated_plant_id(root.x, root.z, there.spacing);
 }
 
+/// All chunk numbers. Those of generated plants are in the order in which cut_into_chunks() makes them for a whole
+/// field, because tiles are built in any order.
+std::vector<int> PlantStore::ordered_chunks() const {
+	std::vector<int> all, generated;
+	std::vector<std::pair<uint64_t, const std::vector<int> *>> along_curve;
+	for (const auto &[tile, members] : tiles) {
+		along_curve.emplace_back(curve_key(tile.column, tile.row), &members);
+	}
+	std::sort(along_curve.begin(), along_curve.end());
+	const auto is_moved = [this](int number) {
+		return chunk(number).size() > 0 && !chunk(number).is_added && !chunk(number).is_new;
+	};
+	for (const auto &[key, members] : along_curve) {
+		const auto first = static_cast<std::ptrdiff_t>(generated.size());
+		std::copy_if(members->begin(), members->end(), std::back_inserter(generated), is_moved);
+		std::stable_sort(generated.begin() + first, generated.end(),
+				[this](int one, int other) { return chunk(one).species < chunk(other).species; });
+	}
+	std::size_t next = 0;
+	for (int number = 0; number < chunk_count(); number++) {
+		all.push_back(is_moved(number) ? generated[next++] : number);
+	}
+	return all;
+}
+
 std::vector<PlantId> PlantStore::ids() const {
 	std::vector<PlantId> all;
 	all.reserve(static_cast<std::size_t>(plant_total));
-	for (int number = 0; number < chunk_count(); number++) {
+	for (const int number : ordered_chunks()) {
 		for (int slot = 0; slot < chunk(number).size(); slot++) {
 			if (!chunk(number).is_gone(slot)) {
 				all.push_back(id({ number, slot }));

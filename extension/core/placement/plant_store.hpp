@@ -60,6 +60,7 @@ struct ChangeSet {
 	};
 
 	std::vector<int> dropped; ///< Removed chunks. New chunks may reuse their numbers.
+	std::vector<PlantChunk> left; ///< Contents of removed chunks, so that another thread can free them.
 	std::vector<Grown> grown;
 	/// Removed plants of chunks that still exist. A chunk of generated plants remains when it is empty; one of added
 	/// plants is dropped.
@@ -104,7 +105,7 @@ public:
 	std::vector<PlantRef> find_all(const std::vector<PlantId> &ids) const;
 	/// Id of an existing plant.
 	PlantId id(const PlantRef &ref) const;
-	/// Ids of all plants, in the order of chunks and slots.
+	/// Ids of all plants. Their order does not depend on the order in which tiles were built.
 	std::vector<PlantId> ids() const;
 	/// Appends all plants with roots at most `radius` (m) from `centre`. The cost depends on the tiles that the
 	/// sphere meets.
@@ -137,6 +138,7 @@ private:
 	int plant_total = 0;
 
 	int take_number();
+	std::vector<int> ordered_chunks() const;
 	void insert(PlantChunk &&chunk, ChangeSet &changes);
 	void drop(int number, ChangeSet &changes);
 	void drop_generated(ChangeSet &changes);

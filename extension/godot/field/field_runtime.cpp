@@ -140,7 +140,7 @@ void FieldRuntime::update_render_flags(const InstanceRenderFlags &wanted) {
 
 void FieldRuntime::change_materials() {
 	motion.wait();
-	tile_rebuild.interrupt(tile_scene(), motion);
+	tiles.interrupt(tile_scene());
 	has_other_materials = job != nullptr;
 	materials.release(setup, retired_materials); // Multimeshes that are not freed yet still use them.
 	if (motion.pose_texture().is_valid()) {
@@ -179,7 +179,7 @@ ChangeSet FieldRuntime::apply(StoreEdit &&edit, ArrivingChunks *arriving) {
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int chunk) { view.drop_new_chunk(chunk); });
 	motion.apply(changes, store, setup, arriving);
 	own_edits.follow(changes, store, setup, motion);
-	region_builds.follow(changes, store);
+	tiles.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
 		if (store.chunk(grown.chunk).is_added) {
 			unseen.insert(store.chunk(grown.chunk).tile);
@@ -214,8 +214,8 @@ int FieldRuntime::remove(std::vector<PlantRef> &&places) {
 		removed_meanwhile.push_back(store.id(places[i]));
 	}
 	own_edits.note_removed(store, places);
-	for (size_t i = 0; tile_rebuild.is_at_work() && i < places.size(); i++) {
-		tile_rebuild.note_removed(store.chunk(places[i].chunk).tile);
+	for (size_t i = 0; tiles.waiting_count() > 0 && i < places.size(); i++) {
+		tiles.note_removed(store.chunk(places[i].chunk).tile);
 	}
 	const int before = store.plant_count();
 	StoreEdit edit;
@@ -242,12 +242,10 @@ void FieldRuntime::grow_again(const std::vector<AreaBox> &boxes) {
 		return;
 	}
 	tiles.interrupt(tile_scene());
-	tile_rebuild.interrupt(tile_scene(), motion);
-	for (size_t i = 0; i < boxes.size() && region_builds.touched_tiles() <= RegionBuilds::MAX_TILES; i++) {
-		region_builds.touch(boxes[i], store.tile_size());
-		prune_region_builds();
+	for (size_t i = 0; i < boxes.size() && tiles.part_count() <= DirtyTiles::MAX_PARTS; i++) {
+		tiles.touch(tile_scene(), boxes[i], store.tile_size());
 	}
-	if (region_builds.touched_tiles() > RegionBuilds::MAX_TILES) {
+	if (tiles.part_count() > DirtyTiles::MAX_PARTS) {
 		rebuild(true);
 	}
 }

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "base/frame_cost.hpp"
+#include "base/stopwatch.hpp"
 #include "base/worker_task.hpp"
 #include "field/build/build_input.hpp"
-#include "field/build/field_tiles.hpp"
+#include "field/build/dirty_tiles.hpp"
 #include "field/build/ground_sampler.hpp"
-#include "field/build/region_builds.hpp"
 #include "field/build/species_sampler.hpp"
-#include "field/build/tile_rebuild.hpp"
 #include "field/field_edits.hpp"
 #include "field/motion/field_motion.hpp"
 #include "field/view/field_materials.hpp"
@@ -46,6 +45,17 @@ public:
 	/// Builds the field again: placement, styles and motion (`places`), or only styles and motion. If styles do not
 	/// change (not `styles`), a build with new places works tile by tile.
 	void rebuild(bool places, bool styles = true);
+	/// The phases of a build. A build that places plants has the phases sampling and placing. If it is large, tiles
+	/// follow, and then joining, if the field does not stream. Parts of tiles are built in the phases idle and tiles.
+	enum class Phase {
+		idle,
+		sampling, ///< Species are read.
+		styling, ///< Meshes, materials and motion of existing plants are rebuilt.
+		placing, ///< A part or all of the field is placed.
+		tiles, ///< Tiles are built one by one.
+		joining, ///< Pages and multimeshes of those tiles are joined.
+	};
+	Phase phase() const;
 	/// True if a build is in progress that replaces the whole field at once.
 	bool is_at_work() const { return sampler || job; }
 	/// True if it places plants, builds tiles, or joins tiles that were placed one by one.
@@ -60,24 +70,24 @@ public:
 	/// Call after painting in a box (m, field axes). A worker places plants there again, and all other plants stay
 	/// unchanged. Builds the whole field if it has no levels yet or too many tiles changed.
 	void touch(const AreaBox &box);
-	bool is_building_regions() const { return region_builds.is_at_work(); }
+	bool is_building_parts() const { return tiles.is_building_parts(); }
 	/// Call after a change of the outline or of an exclusion. Builds the area between the old and the new paths again.
 	void follow_area();
 	/// True if only tiles near the cameras and streaming targets exist.
 	bool streams() const { return properties.view_distance > 0.0; }
 	/// True if it needs poll() each frame.
 	bool needs_frames() const {
-		return is_at_work() || is_building() || is_building_regions() || streams() || !retired.empty() ||
-				!retired_materials.empty() || reports_region_builds;
+		return is_at_work() || is_building() || is_building_parts() || streams() || !retired.empty() ||
+				!retired_materials.empty() || reports_parts;
 	}
 	/// True while motion is transferred to a build. This frame must not wait for any part of it.
-	bool is_transferring() const { return job && job->has_begun_transfer; }
+	bool is_transferring() const { return job && job->handover == FieldBuild::Handover::transferring; }
 	/// Continues builds in a frame of `delta` seconds, paused or not. `physics`: this is a physics frame, in which rays
 	/// may be cast.
 	void poll(double delta, bool physics);
 
 	/// Call between two polls: strokes appear in the frame in which they are ready.
-	void follow_strokes(RegionBuilds::Moment moment, double delta);
+	void follow_strokes(DirtyTiles::Moment moment, double delta);
 
 	/// Call once per frame of `delta` seconds that is not paused. Returns the µs of this thread that steps took.
 	double advance(double delta, bool simulates);
@@ -140,7 +150,7 @@ public:
 	SkeletonView skeletons;
 	FieldEdits own_edits; ///< By code.
 	int64_t seed() const { return properties.seed; }
-	FieldTiles tiles; ///< The existing tiles, if it streams.
+	DirtyTiles tiles;
 	FrameCost build_cost; ///< Time of this thread for builds.
 	double tiles_usec = 0.0; ///< Time of this thread for tiles in the last frame.
 	double upload_usec = 0.0; ///< Time of this thread in the last refresh().
@@ -162,10 +172,9 @@ private:
 	bool is_unshown = false; ///< Plants were removed or changed since the last refresh().
 	std::unique_ptr<SpeciesSampler> sampler; ///< Runs before the job begins.
 	std::unique_ptr<FieldBuild> job;
+	bool joins = false; ///< The job joins tiles that were built one by one.
 	WorkerTask clearing; ///< Frees the data of the last job.
 	GroundQueryQueue ground_queue;
-	RegionBuilds region_builds;
-	TileRebuild tile_rebuild;
 	bool is_of_tiles = false; ///< The last build was one of tiles.
 	/// An edit that the first build repeats.
 	struct Repeated {
@@ -179,13 +188,17 @@ private:
 	bool has_failed = false; ///< The present or last build failed.
 	float built_before = 0.0f; ///< progress() at which the tiles of the first build begin.
 	godot::String tile_fault; ///< Reason why a tile or a painted area cannot be built.
-	bool is_polling = false;
-	bool is_urgent = false; ///< build_now() is at work: no budgets.
-	bool joins = false; ///< The present job joins tiles that were built one by one.
+	enum class Caller {
+		none,
+		frame,
+		build_now, ///< No budgets.
+	};
+	Caller caller = Caller::none; ///< Of the poll() in progress.
+	Stopwatch poll_watch; ///< Started by it.
 	FieldGround ground; ///< As at the last build.
 	std::vector<PlantId> removed_meanwhile; ///< While the job runs.
 	PlacedArea placed_area;
-	bool reports_region_builds = false; ///< When `region_builds` is done, a build ends.
+	bool reports_parts = false; ///< When no part of a tile is dirty any more, a build ends.
 	bool is_due_again = false; ///< Its style changed during a build of styles.
 	bool has_other_materials = false; ///< Users changed materials after the job made its own.
 	float reported_progress = -1.0f;
@@ -206,10 +219,13 @@ private:
 	FieldSettings settings() const;
 	/// Excludes streamed tiles of a first build.
 	bool is_placing() const {
-		return tile_rebuild.is_at_work() || joins || (sampler ? sampler->places : job && job->places());
+		return tiles.is_building_list() || joins || (sampler ? sampler->places : job && job->places());
 	}
+	bool is_urgent() const { return caller == Caller::build_now; }
 	/// µs of this thread for building, per frame.
 	double budget_usec() const;
+	/// What is left of it in this call of poll().
+	double left_usec() const { return budget_usec() - poll_watch.usec(); }
 	/// As GroundQueryQueue::usual_usec().
 	double ground_usec(double delta) const;
 	/// Of the whole build, 0 to 1.
@@ -231,7 +247,6 @@ private:
 		}
 	}
 	bool start_tile_rebuild();
-	void poll_tile_rebuild(bool physics);
 	void join_tiles();
 	godot::String begin_sampling(bool places);
 	void resume_sampling();
@@ -239,18 +254,18 @@ private:
 	void restart_build(bool places);
 	void copy_existing_plants(BuildInput &input) const;
 	godot::String make_build_input(BuildInput &input);
-	void poll_region_builds(RegionBuilds::Moment moment, double delta);
+	void poll_parts(DirtyTiles::Moment moment, double delta);
 	void drop_job();
 	/// Returns false while more has to be prepared.
 	bool make_ready();
-	void poll_parts(double delta, bool physics);
+	void poll_all(double delta, bool physics);
 	void serve_ground(double delta, bool physics);
 	void poll_job(bool physics);
 	/// Returns false if the build failed.
 	bool adopt(FieldBuild &finished);
-	FieldTiles::Scene tile_scene();
+	DirtyTiles::Scene tile_scene();
 	void poll_tiles(bool physics);
-	void prune_region_builds();
+	void finish_tiles();
 	ChangeSet apply(StoreEdit &&edit, ArrivingChunks *arriving = nullptr);
 };
 

@@ -34,13 +34,13 @@ void FieldRuntime::rebuild(bool places, bool styles) {
 	has_failed = false;
 	built_before = 0.0f;
 	drop_job();
-	tile_rebuild.stop(tile_scene(), motion);
+	tiles.stop_list(tile_scene());
 	tiles.interrupt(tile_scene());
-	region_builds.interrupt();
+	tiles.interrupt_parts();
 	is_due_again = false;
 	if (places) {
 		removed_meanwhile.clear();
-		reports_region_builds = false; // The build reports its own end.
+		reports_parts = false; // The build reports its own end.
 	}
 	const String fault = begin_sampling(places || placed_before);
 	if (fault.is_empty()) {
@@ -60,23 +60,14 @@ void FieldRuntime::restart_build(bool places) {
 
 void FieldRuntime::touch(const AreaBox &box) {
 	if (!sampler || !sampler->places) { // A build that still collects styles reads the map later.
-		region_builds.touch(box, store.tile_size());
-		tiles.interrupt(tile_scene(), box);
-		tile_rebuild.interrupt(tile_scene(), motion, box);
-		prune_region_builds();
+		tiles.touch(tile_scene(), box, store.tile_size());
 	}
-	if ((!is_building() && setup.levels.empty()) || region_builds.touched_tiles() > RegionBuilds::MAX_TILES) {
+	if ((!is_building() && setup.levels.empty()) || tiles.part_count() > DirtyTiles::MAX_PARTS) {
 		rebuild(true, false);
 	}
 }
 
-void FieldRuntime::prune_region_builds() {
-	if (streams()) {
-		region_builds.keep_only([this](const TileKey &tile) { return tiles.contains(tile); });
-	}
-}
-
-FieldTiles::Scene FieldRuntime::tile_scene() {
+DirtyTiles::Scene FieldRuntime::tile_scene() {
 	const auto change = [this](StoreEdit &&edit, ArrivingChunks *chunks) { return apply(std::move(edit), chunks); };
 	const auto fault = [this](const String &why) { tile_fault = why; };
 	FieldSettings built = settings();
@@ -84,85 +75,65 @@ FieldTiles::Scene FieldRuntime::tile_scene() {
 		built.prototypes = motion.follows_prototypes() ? std::max(built.prototypes, 1) : 0;
 	}
 	return { node, properties, store, setup, motion, ground, own_edits.known(), built, view, change, fault,
-		budget_usec() };
+		left_usec() };
 }
 
 // During a build of the whole field, tiles would be placed twice.
 void FieldRuntime::poll_tiles(bool physics) {
-	if (!streams() || is_at_work() || tile_rebuild.is_at_work() || !motion.is_ready()) {
+	const bool was_building = tiles.is_building();
+	if (!(streams() || was_building) || is_at_work() || !motion.is_ready()) {
 		return;
 	}
 	if (!physics) {
 		motion.wait();
 	}
 	const Stopwatch watch;
-	const bool was_building = tiles.is_building();
-	if (tiles.resume(tile_scene(), physics, region_builds.allows_edits())) {
+	if (tiles.resume(tile_scene(), physics)) {
 		show_soon(); // No step uploads the poses of a field that is not simulated.
 	}
 	repeat_edits();
 	tiles_usec = physics ? tiles_usec : watch.usec();
-	if (report_tile_fault(was_building) || !was_building) {
-		return;
-	}
-	if (tiles.is_building()) {
+	report_tile_fault(was_building);
+	if (was_building && !tiles.is_building()) {
+		finish_tiles();
+	} else if (was_building) {
 		report_progress(progress());
-		return;
 	}
+}
+
+void FieldRuntime::finish_tiles() {
 	tiles.query_queue().take_findings(ground_queue);
 	tiles.query_queue().report_all(node);
 	listener.no_ground(tiles.query_queue().missing_ground());
-	report_progress(1.0f);
-	finish_build();
-}
-
-void FieldRuntime::poll_tile_rebuild(bool physics) {
-	if (!tile_rebuild.is_at_work() || is_at_work()) {
-		return;
-	}
-	if (!physics) {
-		motion.wait();
-	}
-	tile_rebuild.resume(tile_scene(), { motion, !streams() }, physics);
-	repeat_edits();
-	report_tile_fault(true);
-	if (tile_rebuild.is_at_work()) {
-		report_progress(progress());
-		return;
-	}
-	tile_rebuild.query_queue().take_findings(ground_queue);
-	tile_rebuild.query_queue().report_all(node);
-	listener.no_ground(tile_rebuild.query_queue().missing_ground());
-	if (!streams()) {
-		join_tiles();
-	}
-	report_progress(progress());
 	if (streams()) {
+		report_progress(1.0f);
 		finish_build();
+	} else {
+		join_tiles();
+		report_progress(progress());
 	}
 }
 
-void FieldRuntime::poll_region_builds(RegionBuilds::Moment moment, double delta) {
-	if (is_at_work() || is_placing() || !motion.is_ready() || !region_builds.is_at_work()) {
+void FieldRuntime::poll_parts(DirtyTiles::Moment moment, double delta) {
+	if (is_at_work() || !motion.is_ready() || !tiles.is_building_parts()) {
 		return;
 	}
-	prune_region_builds();
-	if (region_builds.resume(tile_scene(), moment, ground_usec(delta))) {
+	if (tiles.resume_parts(tile_scene(), moment, ground_usec(delta))) {
 		show_soon();
 	}
 	report_tile_fault(false);
 }
 
-void FieldRuntime::follow_strokes(RegionBuilds::Moment moment, double delta) {
+void FieldRuntime::follow_strokes(DirtyTiles::Moment moment, double delta) {
 	const FrameCost::Share share(build_cost);
-	poll_region_builds(moment, delta);
+	poll_parts(moment, delta);
 }
 
 void FieldRuntime::drop_job() {
 	motion.cancel_transfer();
 	view.forget_prepared();
 	joins = false;
-	if (job && job->has_materials) {
+	if (job && job->handover != FieldBuild::Handover::none) {
 		job->cancel();
 		retired.push_back(std::move(job->finish().setup));
 	}
@@ -171,74 +142,75 @@ void FieldRuntime::drop_job() {
 
 // Prepares the build over some frames, undrawn, and transfers motion. Then the build replaces the old field.
 bool FieldRuntime::make_ready() {
-	if (job->has_begun_transfer) {
+	if (is_transferring()) {
 		return !motion.is_transferring();
 	}
 	if (job->fault() != PlacementFault::none) {
 		return job->is_done();
 	}
-	const Stopwatch watch;
 	FieldRenderSetup &next_setup = job->setup();
 	for (SpeciesStyle &style : next_setup.styles) {
-		if (!style.make_meshes(budget_usec() - watch.usec())) {
+		if (!style.make_meshes(left_usec())) {
 			return false;
 		}
 	}
-	if (!std::exchange(job->has_materials, true)) {
+	if (std::exchange(job->handover, FieldBuild::Handover::shown) == FieldBuild::Handover::none) {
 		has_other_materials = false;
 		materials.make(next_setup);
 		materials.hide(next_setup);
 	}
-	while (const std::unique_ptr<BatchPlan> plan = job->take_plan()) {
-		view.prepare(next_setup, *plan);
-		if (watch.usec() > budget_usec()) {
+	for (bool is_first = true; const BatchPlan *plan = job->next_plan(); is_first = false) {
+		if (!is_first && view.expected_usec(*plan) > left_usec()) {
 			return false;
 		}
+		view.prepare(next_setup, *plan);
+		job->leave_plan();
 	}
-	if (!job->is_done() || view.reveal_some(budget_usec())) {
+	if (!job->is_done() || view.reveal_some(left_usec())) {
 		return false;
 	}
 	FieldResult &result = job->finish();
 	if (!result.describe_fault().is_empty()) {
 		return true;
 	}
-	job->has_begun_transfer = true;
+	job->handover = FieldBuild::Handover::transferring;
 	motion.begin_transfer(*result.motion, result.matches);
 	return !motion.is_transferring();
 }
 
 void FieldRuntime::poll(double delta, bool physics) {
 	const FrameCost::Share share(build_cost);
-	is_polling = true;
-	poll_parts(delta, physics);
-	is_polling = false;
+	const Caller before = std::exchange(caller, is_urgent() ? caller : Caller::frame);
+	poll_all(delta, physics);
+	caller = before;
 }
 
-void FieldRuntime::poll_parts(double delta, bool physics) {
+void FieldRuntime::poll_all(double delta, bool physics) {
 	if (!physics) {
 		view.flush_if_undrawn();
 	}
-	if (!physics && !view.free_some(FREEING_SHARE * budget_usec())) {
+	poll_watch = Stopwatch();
+	// A build that replaces the whole field needs most of a frame.
+	if (!physics && !is_transferring() && !view.free_some(FREEING_SHARE * budget_usec())) {
 		retired.clear();
 		retired_materials.clear();
 	}
 	poll_tiles(physics);
-	poll_tile_rebuild(physics);
-	poll_region_builds(physics ? RegionBuilds::Moment::physics : RegionBuilds::Moment::begun, delta);
+	poll_parts(physics ? DirtyTiles::Moment::physics : DirtyTiles::Moment::begun, delta);
 	if (!physics) {
 		skeletons.release_left();
 	}
-	if (sampler && !physics && (is_urgent || (sampler->is_due() && FrameBudget::of_fields().is_left()))) {
+	if (sampler && !physics && (is_urgent() || (sampler->is_due() && FrameBudget::of_fields().is_left()))) {
 		resume_sampling();
 	}
 	if (job && job->needs_ground()) {
 		serve_ground(delta, physics);
 	}
-	if (job && (physics || is_urgent || FrameBudget::of_fields().is_left())) {
+	if (job && (physics || is_urgent() || FrameBudget::of_fields().is_left())) {
 		poll_job(physics);
 	}
-	if (reports_region_builds && !is_at_work() && !is_building() && !is_building_regions()) {
-		reports_region_builds = false;
+	if (reports_parts && !is_at_work() && !is_building() && !is_building_parts()) {
+		reports_parts = false;
 		finish_build();
 	}
 }
@@ -292,8 +264,8 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 		return false;
 	}
 	motion.wait();
+	tiles.interrupt(tile_scene());
 	skeletons.release_all(motion);
-	tiles.forget_style();
 	retired.push_back(std::exchange(setup, std::move(result.setup))); // Drawn multimeshes use it.
 	has_felt = false;
 	// Species with rest directions, or texels for those, that differ from the build's.
@@ -315,8 +287,9 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	edit.tile_size = finished.tile_size();
 	edit.spacing = result.spacing;
 	edit.species_numbers = finished.species_numbers();
-	const ChangeSet changes = store.apply(std::move(edit));
-	motion.adopt(*result.motion, result.matches, changes, store, setup);
+	ChangeSet changes = store.apply(std::move(edit));
+	finished.add_garbage(motion.adopt(*result.motion, result.matches, changes, store, setup));
+	finished.add_garbage(std::make_shared<std::vector<PlantChunk>>(std::move(changes.left)));
 	motion.set_update_interval(properties.update_interval);
 	own_edits.follow_all(store, setup, motion);
 	for (const int i : other_rests) {
@@ -329,14 +302,14 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	view.show_all_added(setup, motion, store);
 	unseen.clear();
 	frames_since_box = 0;
-	region_builds.forget_unseen();
+	tiles.forget_undrawn();
 	if (finished.places() && !ground.needs_queries()) {
 		listener.no_ground(String());
 	}
 	if (finished.places()) {
 		is_of_tiles = streams();
 		placed_area.store_shapes(finished.request());
-		tiles.set_existing(streams() ? finished.tiles() : std::vector<TileKey>(), finished.request());
+		tiles.set_existing(tile_scene(), streams() ? finished.tiles() : std::vector<TileKey>(), finished.request());
 	}
 	remove(store.find_all(std::exchange(removed_meanwhile, {})));
 	for (const Repeated &one : repeated) {

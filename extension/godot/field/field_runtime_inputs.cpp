@@ -4,7 +4,6 @@
 
 #include "base/frame_budget.hpp"
 #include "base/messages.hpp"
-#include "field/build/region_build.hpp"
 #include "field/motion/field_wind_clock.hpp"
 #include "field/view/field_fitting.hpp"
 #include "field/view/listed_styles.hpp"
@@ -37,7 +36,7 @@ bool FieldRuntime::start_tile_rebuild() {
 			float(properties.tile_size) == store.tile_size() && is_listed_so(setup, properties) && update_levels() &&
 			read_request(node, properties, setup, nullptr, request).is_empty() &&
 			read_ground(node, properties, read).is_empty();
-	std::vector<TileKey> list = is_possible ? TileRebuild::list(tile_scene(), request, tiles) : std::vector<TileKey>();
+	const std::vector<TileKey> list = is_possible ? tiles.list_again(tile_scene(), request) : std::vector<TileKey>();
 	if (list.empty()) {
 		return false;
 	}
@@ -46,19 +45,16 @@ bool FieldRuntime::start_tile_rebuild() {
 	has_failed = false;
 	built_before = 0.0f;
 	drop_job();
-	tile_rebuild.stop(tile_scene(), motion);
+	tiles.stop_list(tile_scene());
 	tiles.interrupt(tile_scene());
-	region_builds.interrupt();
-	region_builds.forget_touched();
-	reports_region_builds = is_due_again = false; // The rebuild reports its own end.
+	tiles.interrupt_parts();
+	tiles.forget_parts();
+	reports_parts = is_due_again = false; // The rebuild reports its own end.
 	reported_progress = -1.0f;
 	ground = std::move(read);
 	placed_area.store_shapes(request);
 	listener.fault(setup.left_out);
-	if (streams()) {
-		tiles.set_existing(list, request);
-	}
-	tile_rebuild.begin(std::move(list), request);
+	tiles.begin_build(tile_scene(), list, request);
 	return true;
 }
 
@@ -90,26 +86,27 @@ void FieldRuntime::copy_existing_plants(BuildInput &input) const {
 }
 
 String FieldRuntime::make_build_input(BuildInput &input) {
-	input.places = sampler->places;
+	const bool places = sampler->places;
+	input.places = places;
 	input.setup = std::move(sampler->setup);
-	String fault = input.places ? read_request(node, properties, input.setup, nullptr, input.request) : String();
+	String fault = places ? read_request(node, properties, input.setup, nullptr, input.request) : String();
 	if (fault.is_empty()) {
 		fault = read_ground(node, properties, input.ground);
 	}
 	if (!fault.is_empty()) {
 		return fault;
 	}
-	if (input.places) {
+	if (places) {
 		ground = input.ground;
-		region_builds.forget_touched();
+		tiles.forget_parts();
 	}
 	copy_existing_plants(input);
-	input.is_of_tiles = input.places && streams();
+	input.is_of_tiles = places && streams();
 	input.draws_tiles = streams();
 	if (input.is_of_tiles) {
 		input.tiles = tiles.choose_all(tile_scene(), input.request);
 	}
-	if (input.places) {
+	if (places) {
 		split_first_build(input);
 	}
 	return String();
@@ -128,7 +125,7 @@ String FieldRuntime::begin_sampling(bool places) {
 void FieldRuntime::resume_sampling() {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	bool is_done = false;
-	String fault = sampler->resume(is_urgent ? budget_usec() : ASKING_USEC, is_done);
+	String fault = sampler->resume(is_urgent() ? budget_usec() : ASKING_USEC, is_done);
 	if (fault.is_empty() && !is_done) {
 		return;
 	}
@@ -159,7 +156,7 @@ void FieldRuntime::follow_area() {
 		return;
 	}
 	listener.fault(setup.left_out);
-	reports_region_builds = true;
+	reports_parts = true;
 	if (const std::optional<AreaBox> changed = placed_area.follow(now)) {
 		touch(*changed);
 	}
@@ -287,7 +284,6 @@ void FieldRuntime::update_wind_kind(const Ref<PlantWind> &blowing) {
 	}
 	if (is_news) {
 		tiles.interrupt(tile_scene());
-		tile_rebuild.interrupt(tile_scene(), motion);
 		send_stems();
 	}
 }
@@ -303,7 +299,6 @@ void FieldRuntime::read_motion(const PlantFunction *function, bool is_still) {
 			setup.styles[i].read_motion();
 			motion.set_species(int(i), setup.styles[i], store, is_still);
 			tiles.interrupt(tile_scene());
-			tile_rebuild.interrupt(tile_scene(), motion);
 		}
 	}
 	send_stems();

@@ -25,23 +25,35 @@ static constexpr float TILES_SHARE = 0.8f; // Up to this progress tiles are buil
 static constexpr int32_t WAITING_USEC = 100;
 
 double FieldRuntime::budget_usec() const {
-	return is_urgent ? std::numeric_limits<double>::infinity() : 1000.0 * properties.build_budget_msec;
+	return is_urgent() ? std::numeric_limits<double>::infinity() : 1000.0 * properties.build_budget_msec;
 }
 
 double FieldRuntime::ground_usec(double delta) const {
-	return is_urgent ? budget_usec() : std::max(GroundQueryQueue::usual_usec(delta), budget_usec());
+	return is_urgent() ? budget_usec() : std::max(GroundQueryQueue::usual_usec(delta), budget_usec());
+}
+
+FieldRuntime::Phase FieldRuntime::phase() const {
+	if (sampler) {
+		return Phase::sampling;
+	}
+	if (joins) {
+		return Phase::joining;
+	}
+	if (job) {
+		return job->places() ? Phase::placing : Phase::styling;
+	}
+	return tiles.is_building() ? Phase::tiles : Phase::idle;
 }
 
 float FieldRuntime::progress() const {
 	const float end = streams() ? 1.0f : TILES_SHARE;
-	if (joins) {
+	if (phase() == Phase::joining) {
 		return end + (1.0f - end) * job->progress();
 	}
 	if (job) {
 		return (job->has_rest() ? FIRST_SHARE : 1.0f) * job->progress();
 	}
-	const float part = tiles.is_building() ? tiles.build_progress() : tile_rebuild.progress();
-	return built_before + (end - built_before) * part;
+	return built_before + (end - built_before) * tiles.progress();
 }
 
 // The tiles nearest to the cameras are built together and shown. The remaining tiles follow, one by one.
@@ -50,32 +62,31 @@ void FieldRuntime::split_first_build(BuildInput &input) {
 		return;
 	}
 	const double each = double(input.request.density) * double(input.tile_size) * double(input.tile_size);
-	std::vector<TileKey> all(input.tiles.rbegin(), input.tiles.rend());
-	if (!streams()) {
-		all = TileRebuild::list_first(tile_scene(), input.request);
-	}
-	if (each * double(all.size()) <= MAX_WHOLE_PLANTS) {
+	std::vector<TileKey> all = streams() ? input.tiles : DirtyTiles::list_first(tile_scene(), input.request);
+	const AreaBox box = placed_box(input.request); // Small fields meet tiles that they do not fill.
+	const double of_box = double(box.high.x - box.low.x) * double(box.high.y - box.low.y);
+	const double square_metres = std::min(double(std::abs(signed_area(input.request.area))), of_box);
+	if (std::min(double(input.request.density) * square_metres, each * double(all.size())) <= MAX_WHOLE_PLANTS) {
 		return;
 	}
 	const auto first = std::ptrdiff_t(std::ceil(std::min(FIRST_PLANTS / each, double(all.size()))));
 	if (size_t(first) == all.size()) {
 		return;
 	}
-	input.tiles.assign(all.rbegin(), all.rbegin() + first);
-	all.resize(all.size() - size_t(first));
-	input.rest_plants = each * double(all.size());
-	input.rest = std::move(all);
+	input.tiles.assign(all.begin(), all.begin() + first);
+	input.rest.assign(all.begin() + first, all.end());
+	input.rest_plants = each * double(input.rest.size());
 	input.has_rest = input.is_of_tiles = input.draws_tiles = true;
 }
 
 void FieldRuntime::begin_rest(FieldBuild &finished) {
 	built_before = FIRST_SHARE;
-	std::vector<TileKey> rest = finished.take_rest();
+	const std::vector<TileKey> &rest = finished.rest();
 	motion.make_room(finished.rest_plants(), int(rest.size() * setup.styles.size()));
 	if (streams()) {
-		tiles.begin_build(); // It chooses tiles again, because cameras may have moved.
+		tiles.begin_streamed_build(); // It chooses tiles again, because cameras may have moved.
 	} else {
-		tile_rebuild.begin(std::move(rest), finished.request());
+		tiles.begin_build(tile_scene(), rest, finished.request());
 	}
 }
 
@@ -133,9 +144,7 @@ void FieldRuntime::wait_for_jobs() {
 	if (job) {
 		job->wait();
 	}
-	tiles.wait_for_jobs();
-	tile_rebuild.wait_for_jobs();
-	region_builds.wait_for_job();
+	tiles.wait_for_tasks();
 	clearing.wait();
 }
 
@@ -147,7 +156,7 @@ bool FieldRuntime::can_query_ground() const {
 }
 
 bool FieldRuntime::build_now() {
-	if (is_polling || is_urgent) {
+	if (caller != Caller::none) {
 		report_error(node, "build_now() is called by a handler of a signal of the same build. Call it deferred.");
 		return false;
 	}
@@ -157,19 +166,19 @@ bool FieldRuntime::build_now() {
 				"_physics_process().");
 		return false;
 	}
-	is_urgent = true;
-	while (node->is_inside_tree() && (is_building() || is_building_regions())) {
+	caller = Caller::build_now;
+	while (node->is_inside_tree() && (is_building() || is_building_parts())) {
 		poll(0.0, true);
 		if (node->is_inside_tree()) {
 			poll(0.0, false);
-			follow_strokes(RegionBuilds::Moment::ending, 0.0);
+			follow_strokes(DirtyTiles::Moment::ending, 0.0);
 			// Workers may wait for the renderer, and the renderer may wait for this thread.
 			RenderingServer::get_singleton()->force_sync();
 			OS::get_singleton()->delay_usec(WAITING_USEC);
 		}
 	}
-	is_urgent = false;
-	const bool has_places = !streams() || !FieldTiles::places_of(tile_scene()).empty();
+	caller = Caller::none;
+	const bool has_places = !streams() || !DirtyTiles::places_of(tile_scene()).empty();
 	return node->is_inside_tree() && !has_failed && has_places;
 }
 

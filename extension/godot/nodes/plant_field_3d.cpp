@@ -91,7 +91,7 @@ void PlantField3D::rebuild() {
 }
 
 bool PlantField3D::is_building() const {
-	return runtime.is_building() || runtime.is_building_regions() || dirty.is_rebuild_queued();
+	return runtime.is_building() || runtime.is_building_parts() || dirty.is_rebuild_queued();
 }
 
 bool PlantField3D::build_now() {
@@ -125,7 +125,7 @@ void PlantField3D::poll(double delta, bool physics) {
 void PlantField3D::on_frame_ending() {
 	frames.begin_end();
 	if (dirty.is_clean()) {
-		runtime.follow_strokes(RegionBuilds::Moment::ending, 0.0);
+		runtime.follow_strokes(DirtyTiles::Moment::ending, 0.0);
 	}
 }
 
@@ -145,9 +145,9 @@ void PlantField3D::process_frame() {
 	}
 	runtime.motion.wait();
 	const double waiting = watch.usec();
-	if (runtime.is_building_regions() && dirty.is_clean()) {
-		runtime.follow_strokes(RegionBuilds::Moment::begun, get_process_delta_time());
-		if (runtime.is_building_regions()) {
+	if (runtime.is_building_parts() && dirty.is_clean()) {
+		runtime.follow_strokes(DirtyTiles::Moment::begun, get_process_delta_time());
+		if (runtime.is_building_parts()) {
 			frames.queue_end();
 		}
 	}

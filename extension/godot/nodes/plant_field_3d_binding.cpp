@@ -92,14 +92,16 @@ void PlantField3D::update_style(const Ref<PlantFunction> &function) {
 	}
 }
 
-// The signal names neither the species nor the change, so both are searched.
+// The signal names neither the entry nor the change, so both are searched.
 void PlantField3D::on_species_changed() {
-	Ref<PlantFunction> function;
-	if (!species.find_emitter(function)) {
+	const Ref<PlantFieldSpecies> entry = species.find_emitter();
+	if (entry.is_null()) {
 		return;
 	}
-	if (function.is_valid()) {
-		update_style(function);
+	if (entry->is_species_change()) {
+		update_style(entry->get_species());
+	} else if (entry->get_change_kind() == PlantFieldSpecies::CHANGE_APPEARANCE) {
+		dirty.mark_style();
 	} else {
 		dirty.mark_placement();
 	}
@@ -138,7 +140,7 @@ void PlantField3D::on_map_painted(const Rect2 &rect) {
 	}
 	runtime.touch({ { rect.position.x, rect.position.y }, { rect.get_end().x, rect.get_end().y } });
 	frames.follow(true);
-	if (runtime.is_building_regions()) {
+	if (runtime.is_building_parts()) {
 		frames.queue_end();
 	}
 	update_gizmos();

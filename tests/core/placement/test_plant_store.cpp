@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace undergrowth;
@@ -30,6 +31,31 @@ TEST_CASE("ids are the same after a rebuild with other tiles or another outline"
 	const std::set<PlantId> fewer = id_set(store);
 	CHECK(fewer.size() < before.size());
 	CHECK(std::includes(before.begin(), before.end(), fewer.begin(), fewer.end()));
+}
+
+/// An edit that builds a tile of filled_store() again.
+static StoreEdit tile_again(const TileKey &tile) {
+	PlacementRequest request = square_field(50.0f, 4.0f, 2);
+	request.within = tile_box(tile, 16.0f);
+	StoreEdit edit;
+	edit.left_tiles = { tile };
+	edit.spacing = SPACING;
+	edit.arriving = cut_into_chunks(placed(request), 16.0f);
+	return edit;
+}
+
+TEST_CASE("the order of ids does not depend on the order in which tiles are built") {
+	PlantStore store = filled_store();
+	const std::vector<PlantId> ids = store.ids();
+	const std::vector<TileKey> all = store.generated_tiles();
+	StoreEdit clearing;
+	clearing.left_tiles = all;
+	store.apply(std::move(clearing));
+	REQUIRE(store.plant_count() == 0);
+	for (auto tile = all.rbegin(); tile != all.rend(); ++tile) {
+		store.apply(tile_again(*tile));
+	}
+	CHECK(store.ids() == ids);
 }
 
 TEST_CASE("cells give ids at all densities, also far from the origin") {

@@ -67,38 +67,27 @@ FieldResult &FieldBuild::finish() {
 	return result;
 }
 
-std::unique_ptr<BatchPlan> FieldBuild::take_plan() {
-	if (result.plans.empty()) {
-		return nullptr;
-	}
-	auto plan = std::make_unique<BatchPlan>(std::move(result.plans.back()));
-	result.plans.pop_back();
-	return plan;
-}
-
 std::function<void()> FieldBuild::take_garbage() {
 	auto chunks = std::make_shared<GeneratedChunks>(std::move(input.existing));
-	auto matches = std::make_shared<std::vector<PlantMatch>>(std::move(result.matches));
-	return [chunks = std::move(chunks), matches = std::move(matches)]() mutable {
-		chunks.reset();
-		matches.reset();
-	};
+	garbage.push_back(std::move(chunks));
+	garbage.push_back(std::make_shared<std::vector<PlantMatch>>(std::move(result.matches)));
+	return [all = std::move(garbage)]() mutable { all.clear(); };
 }
 
 void FieldBuild::work(void *self) {
 	FieldBuild *build = static_cast<FieldBuild *>(self);
 	if (build->stage == Stage::placing) {
-		if (build->input.places) {
+		if (build->places()) {
 			build->place();
 		} else {
 			build->placed = gather_plants(build->input.existing, build->input.species_numbers);
 			build->result.spacing = build->input.existing.spacing;
 		}
-		if (build->input.places && build->input.ground.needs_queries() && build->placed.size() > 0) {
+		if (build->places() && build->input.ground.needs_queries() && build->placed.size() > 0) {
 			build->stage = Stage::placed;
 			return;
 		}
-		if (build->input.places) {
+		if (build->places()) {
 			build->input.ground.look_up(build->placed, build->heights, build->normals);
 		}
 	}

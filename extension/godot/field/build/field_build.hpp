@@ -28,9 +28,9 @@ struct BuildInput {
 	bool draws_tiles = false; ///< No multimesh spans more than one tile.
 	bool is_of_tiles = false; ///< Builds only `tiles`.
 	std::vector<TileKey> tiles;
-	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, the nearest last.
+	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, nearest first.
 	double rest_plants = 0.0; ///< Approximate number of plants in those tiles.
-	bool has_rest = false; ///< More tiles follow: `rest`, or those of FieldTiles.
+	bool has_rest = false; ///< More tiles follow: `rest`, or those that a view distance adds.
 	EditLog edits; ///< Their removed plants are not built.
 	/// The generated plants before the build. Plants that exist again continue their motion.
 	GeneratedChunks existing;
@@ -84,7 +84,9 @@ public:
 	FieldRenderSetup &setup() { return result.setup; }
 	PlacementFault fault() const { return result.fault; }
 	/// The next plan of the result, or null.
-	std::unique_ptr<BatchPlan> take_plan();
+	const BatchPlan *next_plan() const { return result.plans.empty() ? nullptr : &result.plans.back(); }
+	/// Removes the next plan.
+	void leave_plan() { result.plans.pop_back(); }
 	/// Discards the result and ends the thread's work early.
 	void cancel() { is_cancelled = true; }
 	/// Waits for the thread and returns the result.
@@ -94,16 +96,25 @@ public:
 	/// True if it is only the first part of a build.
 	bool has_rest() const { return input.has_rest; }
 	double rest_plants() const { return input.rest_plants; }
-	std::vector<TileKey> take_rest() { return std::move(input.rest); }
-	/// Returns a function that frees the inputs and the unused parts of the result. Any thread may call it.
+	const std::vector<TileKey> &rest() const { return input.rest; }
+	/// Adds an object to the garbage.
+	void add_garbage(std::shared_ptr<void> object) { garbage.push_back(std::move(object)); }
+	/// Returns a function that frees the garbage, the inputs and the unused parts of the result. Any thread may call
+	/// it.
 	std::function<void()> take_garbage();
-	bool has_materials = false; ///< Its setup has materials.
-	bool has_begun_transfer = false; ///< The transfer of motion has begun.
+	/// How far the owner has prepared the exchange.
+	enum class Handover {
+		none,
+		shown, ///< Its setup has materials, and multimeshes are prepared.
+		transferring, ///< The transfer of motion has begun.
+	};
+	Handover handover = Handover::none;
 
 private:
 	enum class Stage { fresh, placing, placed, building, planned, done };
 
 	BuildInput input;
+	std::vector<std::shared_ptr<void>> garbage;
 	FieldResult result;
 	FieldPlants placed;
 	std::vector<float> heights;

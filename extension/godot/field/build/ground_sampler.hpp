@@ -65,7 +65,7 @@ class GroundQueryQueue {
 public:
 	/// Time (µs) for queries in a frame of `delta` seconds that need not be smooth.
 	static double usual_usec(double delta);
-	/// Continues for about `usec` with the query for `waiting`, a FieldBuild, a RegionBuild or a TileBuild, in a frame
+	/// Continues for about `usec` with the query for `waiting`, a FieldBuild or a TileBuildTask, in a frame
 	/// that may be a physics frame. When it is done, `waiting` continues. `reports`: warns if no ground was found.
 	template <class Job>
 	GroundSampler::State serve(Job &waiting, godot::Node3D *field, const FieldProperties &options, double usec,

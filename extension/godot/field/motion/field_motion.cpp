@@ -84,13 +84,13 @@ void FieldMotion::cancel_transfer() {
 	is_transferred = false;
 }
 
-void FieldMotion::adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches, const ChangeSet &changes,
-		const PlantStore &store, const FieldRenderSetup &setup) {
+std::unique_ptr<FieldSimulation> FieldMotion::adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches,
+		const ChangeSet &changes, const PlantStore &store, const FieldRenderSetup &setup) {
 	wait();
 	if (!std::exchange(is_transferred, false)) {
 		prepared.transfer_motion(simulation.get(), rows, matches);
 	}
-	const std::unique_ptr<FieldSimulation> old = std::exchange(simulation, std::move(prepared.simulation));
+	std::unique_ptr<FieldSimulation> old = std::exchange(simulation, std::move(prepared.simulation));
 	const std::vector<PageRows> old_rows = std::move(rows);
 	textures = std::move(prepared.textures);
 	rows.assign(size_t(store.chunk_count()), {});
@@ -105,6 +105,7 @@ void FieldMotion::adopt(PreparedMotion &prepared, const std::vector<PlantMatch> 
 	begin_clock();
 	write_all();
 	fit_contact(touches);
+	return old;
 }
 
 // Added plants and their motion survive a build.

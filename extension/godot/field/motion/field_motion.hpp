@@ -65,9 +65,9 @@ public:
 	/// Cancels the transfer: there is no adopt().
 	void cancel_transfer();
 	/// Uses the data of a build: chunk i of `prepared` is chunk changes.grown[i] of the store. Plants that existed
-	/// before continue their motion.
-	void adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches, const ChangeSet &changes,
-			const PlantStore &store, const FieldRenderSetup &setup);
+	/// before continue their motion. Returns the old simulation, which any thread can free.
+	std::unique_ptr<FieldSimulation> adopt(PreparedMotion &prepared, const std::vector<PlantMatch> &matches,
+			const ChangeSet &changes, const PlantStore &store, const FieldRenderSetup &setup);
 	/// Follows an edit that does not replace all generated plants. Removed plants may be visible until the next wait().
 	/// With `arriving` only its chunks grew; null: no chunk is prepared.
 	void apply(

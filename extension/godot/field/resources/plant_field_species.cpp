@@ -7,6 +7,8 @@
 #include "base/renamed_properties.hpp"
 #include "base/shortest_decimal.hpp"
 
+#include <utility>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -18,34 +20,36 @@ Ref<PlantFieldSpecies> PlantFieldSpecies::of(const Ref<PlantFunction> &function,
 	return made;
 }
 
-void PlantFieldSpecies::report_change(bool from_species) {
-	const bool before = forwards; // A listener may set a property, which emits again inside this emission.
-	forwards = from_species;
+void PlantFieldSpecies::report_change(ChangeKind kind, bool from_species) {
+	// A listener may set a property, which emits again inside this emission.
+	const ChangeKind kind_before = std::exchange(change_kind, kind);
+	const bool before = std::exchange(forwards, from_species);
 	emit_changed();
+	change_kind = kind_before;
 	forwards = before;
-}
-
-bool PlantFieldSpecies::is_motion_change() const {
-	return forwards && species.is_valid() && species->is_motion_change();
 }
 
 void PlantFieldSpecies::on_species_changed() {
 	const Ref<PlantFieldSpecies> alive(this); // Listeners may release the last reference.
 	update_auto_name(this, auto_name, name_of_species(species));
-	report_change(true);
+	if (species.is_null()) { // The library was reloaded, and the engine has not restored the function yet.
+		report_change(CHANGE_PLACEMENT, false);
+	} else {
+		report_change(species->is_motion_change() ? CHANGE_MOTION : CHANGE_APPEARANCE, true);
+	}
 }
 
-template <class Value> void PlantFieldSpecies::set(Value &slot, const Value &value) {
+template <class Value> void PlantFieldSpecies::set(Value &slot, const Value &value, ChangeKind kind) {
 	if (value != slot) {
 		slot = value;
-		report_change(false);
+		report_change(kind, false);
 	}
 }
 
 template <class Value>
-void PlantFieldSpecies::set_number(Value &slot, const char *name, Value value, const Range &range) {
+void PlantFieldSpecies::set_number(Value &slot, const char *name, Value value, const Range &range, ChangeKind kind) {
 	if (accept_value(this, name, double(value), range)) {
-		set(slot, value);
+		set(slot, value, kind);
 	}
 }
 
@@ -58,7 +62,7 @@ void PlantFieldSpecies::set_species(const Ref<PlantFunction> &function) {
 	species = function;
 	follow_changes(species.ptr(), changed);
 	update_auto_name(this, auto_name, name_of_species(species));
-	report_change(false);
+	report_change(CHANGE_PLACEMENT, false);
 }
 
 void PlantFieldSpecies::set_weight(double value) {
@@ -72,7 +76,7 @@ void PlantFieldSpecies::set_density_factor(double factor) {
 void PlantFieldSpecies::set_scale_range(const Vector2 &range) {
 	Vector2 ordered = range;
 	if (accept_span(this, "scale_range", scale_range, ordered, { 0.001, 1000.0 })) {
-		set(scale_range, ordered);
+		set(scale_range, ordered, CHANGE_PLACEMENT);
 	}
 }
 
@@ -82,7 +86,7 @@ void PlantFieldSpecies::set_height_deviation(double deviation) {
 
 void PlantFieldSpecies::set_lean_deviation(double radians) {
 	if (accept_angle(this, "lean_deviation", radians, { 0.0, 80.0 })) {
-		set(lean_deviation, exact_angle(radians));
+		set(lean_deviation, exact_angle(radians), CHANGE_PLACEMENT);
 	}
 }
 
@@ -91,11 +95,11 @@ void PlantFieldSpecies::set_variants(int count) {
 }
 
 void PlantFieldSpecies::set_lod_bias(double factor) {
-	set_number(lod_bias, "lod_bias", factor, { 0.1, 10.0 });
+	set_number(lod_bias, "lod_bias", factor, { 0.1, 10.0 }, CHANGE_APPEARANCE);
 }
 
 void PlantFieldSpecies::set_layer(const String &name) {
-	set(layer, name);
+	set(layer, name, CHANGE_PLACEMENT);
 }
 
 String PlantFieldSpecies::get_layer_name() const {
@@ -114,8 +118,7 @@ void PlantFieldSpecies::_bind_methods() {
 	ClassDB::bind_static_method(
 			"PlantFieldSpecies", D_METHOD("of", "species", "weight"), &PlantFieldSpecies::of, DEFVAL(1.0));
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantFieldSpecies::on_species_changed);
-	BIND(is_species_change);
-	BIND(is_motion_change);
+	BIND(get_change_kind);
 	BIND(get_layer_name);
 	PROPERTY(OBJECT, species, PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction");
 	PROPERTY(FLOAT, weight, SLIDER("0,10,0.01,or_greater"));
@@ -126,6 +129,10 @@ void PlantFieldSpecies::_bind_methods() {
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
 	PROPERTY(FLOAT, lod_bias, SLIDER("0.25,4,0.05,or_less,or_greater"));
 	PROPERTY(STRING, layer);
+	BIND_ENUM_CONSTANT(CHANGE_NONE);
+	BIND_ENUM_CONSTANT(CHANGE_PLACEMENT);
+	BIND_ENUM_CONSTANT(CHANGE_APPEARANCE);
+	BIND_ENUM_CONSTANT(CHANGE_MOTION);
 }
 
 } // namespace undergrowth

@@ -12,6 +12,16 @@ namespace undergrowth {
 class PlantFieldSpecies : public godot::Resource {
 	GDCLASS(PlantFieldSpecies, godot::Resource)
 
+public:
+	/// Kind of a change, by what a field has to do.
+	enum ChangeKind : int64_t {
+		CHANGE_NONE, ///< `changed` is not emitted now.
+		CHANGE_PLACEMENT, ///< Plants are placed again.
+		CHANGE_APPEARANCE, ///< Meshes or materials change. All plants stay.
+		CHANGE_MOTION, ///< Constants of the motion change. Meshes stay.
+	};
+
+private:
 	godot::Ref<PlantFunction> species;
 	double weight = 1.0;
 	double density_factor = 1.0;
@@ -22,12 +32,14 @@ class PlantFieldSpecies : public godot::Resource {
 	double lod_bias = 1.0;
 	godot::String layer;
 	godot::String auto_name;
+	ChangeKind change_kind = CHANGE_NONE; // While `changed` is emitted.
 	bool forwards = false; // True while `changed` is emitted for the function inside.
 
-	/// Emits `changed`, for a property of this entry or, with `from_species`, for the function inside.
-	void report_change(bool from_species);
-	template <class Value> void set(Value &slot, const Value &value);
-	template <class Value> void set_number(Value &slot, const char *name, Value value, const Range &range);
+	/// Emits `changed` for a property of this entry or, with `from_species`, for the function inside.
+	void report_change(ChangeKind kind, bool from_species);
+	template <class Value> void set(Value &slot, const Value &value, ChangeKind kind);
+	template <class Value>
+	void set_number(Value &slot, const char *name, Value value, const Range &range, ChangeKind kind = CHANGE_PLACEMENT);
 
 protected:
 	static void _bind_methods();
@@ -38,10 +50,10 @@ public:
 	/// Returns an entry with `function`, `weight`, and defaults.
 	static godot::Ref<PlantFieldSpecies> of(const godot::Ref<PlantFunction> &function, double weight = 1.0);
 
+	/// The kind of the change for which `changed` is emitted now.
+	ChangeKind get_change_kind() const { return change_kind; }
 	/// True while `changed` is emitted for a property of the PlantFunction inside; false for properties of this entry.
 	bool is_species_change() const { return forwards; }
-	/// True while `changed` is emitted for a property of the PlantFunction inside that does not change meshes.
-	bool is_motion_change() const;
 	// Called by the engine.
 	void on_species_changed();
 
@@ -68,3 +80,5 @@ public:
 };
 
 } // namespace undergrowth
+
+VARIANT_ENUM_CAST(undergrowth::PlantFieldSpecies::ChangeKind);

@@ -26,18 +26,14 @@ void SpeciesList::choose_grass() {
 	}
 }
 
-bool SpeciesList::find_emitter(Ref<PlantFunction> &function) const {
+Ref<PlantFieldSpecies> SpeciesList::find_emitter() const {
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> entry = options.species[i];
-		if (entry.is_null()) {
-			return false;
-		}
-		if (entry->is_species_change()) {
-			function = entry->get_species();
-			return true;
+		if (entry.is_null() || entry->get_change_kind() != PlantFieldSpecies::CHANGE_NONE) {
+			return entry;
 		}
 	}
-	return true;
+	return {};
 }
 
 } // namespace undergrowth

@@ -23,9 +23,9 @@ public:
 	/// classes are registered.
 	void choose_grass();
 
-	/// Call while an entry emits `changed`. `function`: the source of the change, or null if the entry itself changed.
-	/// Returns false if the library was reloaded and the engine has not yet restored an entry.
-	bool find_emitter(godot::Ref<PlantFunction> &function) const;
+	/// Returns the entry that emits `changed` now; null: none. It is null after the library was reloaded, until the
+	/// engine has restored all entries.
+	godot::Ref<PlantFieldSpecies> find_emitter() const;
 
 private:
 	godot::Object *node;

@@ -37,6 +37,9 @@ struct FieldRenderSetup {
 	}
 };
 
+/// Copies the parts of a setup that plans and prepared chunks need.
+FieldRenderSetup outline_of(const FieldRenderSetup &setup);
+
 /// Properties of an instance besides its mesh: the engine's own properties of the node.
 struct InstanceRenderFlags {
 	uint32_t layers = 1;

@@ -202,11 +202,9 @@ void FieldView::drop_new_chunk(int number) {
 	}
 }
 
-void FieldView::show_new_chunk(
-		const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans) {
+void FieldView::replace_new_chunk(const TileKey &tile, int number) {
 	drop_new_chunk(number);
 	new_chunks[number] = tile;
-	show(setup, plans);
 }
 
 void FieldView::update_levels(const FieldRenderSetup &setup) {
@@ -407,9 +405,11 @@ void FieldView::move_all(Batches &from, std::vector<Batch> &into) {
 }
 
 void FieldView::prepare(const FieldRenderSetup &setup, const BatchPlan &plan) {
+	const Stopwatch watch;
 	prepared_levels = levels_of(setup);
 	prepared[plan.place].push_back(make(setup, plan));
 	next_revealed.reset();
+	preparing.note(plan.count, watch.usec());
 }
 
 void FieldView::forget_prepared() {
@@ -483,24 +483,27 @@ void FieldView::drop_tile(const TileKey &tile) {
 }
 
 void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
-	RenderingServer *server = RenderingServer::get_singleton();
-	note_change();
 	for (int level = 0; level < int(setup.levels.size()); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [&](const BatchKey &place, std::vector<Batch> &group) {
 			for (Batch &batch : group) {
-				if (batch.near) {
-					has_other_near = true;
-				} else {
-					const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(level)];
-					set_material(server, setup, place, batch);
-					set_range(batch, seen);
-					apply_flags(batch, seen);
-				}
-				reveal(batch);
-				batches[place].push_back(std::move(batch));
+				show_prepared(setup, place, std::move(batch));
 			}
 		});
 	}
+}
+
+void FieldView::show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch) {
+	note_change();
+	if (batch.near) {
+		has_other_near = true;
+	} else {
+		const FieldLevel &seen = setup.styles[size_t(batch.species)].levels[size_t(place.level)];
+		set_material(RenderingServer::get_singleton(), setup, place, batch);
+		set_range(batch, seen);
+		apply_flags(batch, seen);
+	}
+	reveal(batch);
+	batches[place].push_back(std::move(batch));
 }
 
 void FieldView::forget_tile(const TileKey &tile) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/piece_cost.hpp"
 #include "field/motion/field_motion.hpp"
 #include "field/view/batch_plans.hpp"
 #include "field/view/near_plants.hpp"
@@ -28,6 +29,8 @@ public:
 
 	/// Creates the multimesh of a plan, for exchange() or show_tile() with the same setup.
 	void prepare(const FieldRenderSetup &setup, const BatchPlan &plan);
+	/// Expected µs of prepare().
+	double expected_usec(const BatchPlan &plan) const { return preparing.expected_usec(plan.count); }
 	/// Discards all prepared multimeshes.
 	void forget_prepared();
 	/// Passes prepared multimeshes to the renderer for about `usec`, while their materials draw nothing. All of them in
@@ -48,9 +51,8 @@ public:
 	/// The same for all added plants.
 	void show_all_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store);
 
-	/// Shows the plans of a chunk of new plants instead of its previous ones.
-	void show_new_chunk(
-			const FieldRenderSetup &setup, const TileKey &tile, int number, const std::vector<BatchPlan> &plans);
+	/// Removes the multimeshes of a chunk of new plants, before show() of its new plans.
+	void replace_new_chunk(const TileKey &tile, int number);
 
 	/// Hides the generated plants of a tile, except those in wider squares and in chunks of new plants.
 	void drop_tile(const TileKey &tile);
@@ -60,7 +62,7 @@ public:
 	/// Discards the prepared multimeshes of a tile.
 	void forget_tile(const TileKey &tile);
 
-	/// Removes the multimeshes of a chunk of new plants.
+	/// Removes the multimeshes of a chunk of new plants, which is gone.
 	void drop_new_chunk(int number);
 
 	/// Applies changed distances of levels, or shadows. The number of levels and their meshes are unchanged.
@@ -114,6 +116,7 @@ private:
 
 	Batches batches;
 	Batches prepared; ///< Not drawn yet.
+	PieceCost preparing;
 	std::vector<Batch> leaving; ///< Replaced: materials draw nothing, and the instances are not hidden yet.
 	std::vector<Batch> gone; ///< Hidden, not freed yet.
 	std::map<int, TileKey> new_chunks; ///< Tiles by the number of a drawn chunk of new plants.
@@ -146,6 +149,7 @@ private:
 	static void free_batch(const Batch &batch);
 	static void move_all(Batches &from, std::vector<Batch> &into);
 	void clear(const BatchKey &place);
+	void show_prepared(const FieldRenderSetup &setup, const BatchKey &place, Batch &&batch);
 	static bool has_near(const std::vector<Batch> &group);
 	template <class Act> static void take_parts(Batches &from, const BatchKey &place, const Act &act);
 	void set_range(const Batch &batch, const FieldLevel &level) const;

@@ -1,0 +1,148 @@
+#include "field/build/tile_build_task.hpp"
+
+#include <godot_cpp/classes/worker_thread_pool.hpp>
+
+#include <chrono>
+#include <utility>
+
+using namespace godot;
+
+namespace undergrowth {
+
+TileBuildTask::TileBuildTask(TileBuildInput &&with) : input(std::move(with)) {
+	for (const PlantRef &ref : input.existing_in_part.refs) {
+		compared_chunks.insert(ref.chunk);
+	}
+}
+
+TileBuildTask::TileBuildTask(
+		std::shared_ptr<const FieldRenderSetup> setup, std::vector<ChunkToDraw> &&new_chunks) :
+		copies(std::move(new_chunks)) {
+	input.setup = std::move(setup);
+}
+
+void TileBuildTask::wait() {
+	if (task >= 0) {
+		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
+		task = -1;
+	}
+}
+
+void TileBuildTask::wait_a_little(double usec) {
+	if (is_at_work()) {
+		std::unique_lock<std::mutex> lock(stage_mutex);
+		stage_ended.wait_for(lock, std::chrono::duration<double, std::micro>(usec), [this] { return !is_at_work(); });
+	}
+}
+
+bool TileBuildTask::is_at_work() const {
+	const Stage now = stage.load();
+	return now == Stage::placing || now == Stage::finishing || now == Stage::drawing;
+}
+
+void TileBuildTask::launch(Stage next) {
+	wait();
+	stage = next;
+	task = WorkerThreadPool::get_singleton()->add_native_task(&TileBuildTask::work, this);
+}
+
+void TileBuildTask::resume(std::vector<float> &&given_heights, std::vector<glm::vec3> &&given_normals) {
+	heights = std::move(given_heights);
+	normals = std::move(given_normals);
+	launch(Stage::finishing);
+}
+
+void TileBuildTask::work(void *self) {
+	TileBuildTask *build = static_cast<TileBuildTask *>(self);
+	const Stage next = build->do_stage();
+	const std::lock_guard<std::mutex> lock(build->stage_mutex);
+	build->stage = next;
+	build->stage_ended.notify_all();
+}
+
+TileBuildTask::Stage TileBuildTask::do_stage() {
+	if (stage == Stage::drawing) {
+		plan();
+		return Stage::drawn;
+	}
+	if (stage == Stage::placing) {
+		place();
+		if (input.ground.needs_queries() && placed.size() > 0) {
+			return Stage::grounding;
+		}
+		input.ground.look_up(placed, heights, normals);
+	}
+	finish_placing();
+	return Stage::placed;
+}
+
+void TileBuildTask::place() {
+	place_plants(input.request, placed);
+	input.edits.take_out(placed);
+	if (input.part) {
+		diff = std::make_unique<RegionDiff>(std::move(input.existing_in_part), input.spacing);
+		placed = diff->find_new_plants(placed);
+	}
+}
+
+void TileBuildTask::finish_placing() {
+	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
+		apply_ground(placed, heights.data(), normals.data(), input.ground.limits);
+	}
+	if (diff) {
+		edit = diff->make_edit(placed);
+	} else {
+		make_chunks();
+	}
+}
+
+void TileBuildTask::make_chunks() {
+	edit.left_tiles = { input.tile };
+	edit.spacing = input.spacing;
+	built_count = placed.size();
+	edit.arriving = cut_into_chunks(placed, input.tile_size);
+	placed.clear();
+	for (PlantChunk &chunk : edit.arriving) {
+		chunk.spacing = input.spacing;
+		prepared.push_back(std::make_unique<PreparedChunk>(chunk, *input.setup, input.settings));
+		copies.push_back({ -1, chunk, {} });
+	}
+	matches = match_plants(input.existing, edit.arriving, input.spacing);
+}
+
+void TileBuildTask::plan() {
+	std::vector<DrawnChunk> drawn;
+	for (const ChunkToDraw &one : copies) {
+		drawn.push_back({ one.texels, &one.chunk, one.number });
+	}
+	plans = plan_batches(*input.setup, drawn);
+	for (ChunkToDraw &one : copies) { // Here, because freeing them takes time.
+		one.chunk.plants = FieldPlants();
+	}
+}
+
+void TileBuildTask::leave_plan() {
+	plans[shown++].buffer = PackedFloat32Array(); // All of them at once would take long.
+}
+
+void TileBuildTask::reserve(FieldMotion &motion) {
+	for (size_t i = 0; i < copies.size(); i++) {
+		copies[i].texels = motion.reserve(*prepared[i]);
+	}
+}
+
+void TileBuildTask::release_texels(FieldMotion &motion) {
+	wait();
+	for (const std::unique_ptr<PreparedChunk> &chunk : prepared) {
+		motion.release_texels(*chunk);
+	}
+}
+
+StoreEdit TileBuildTask::take_edit(ArrivingChunks &arriving) {
+	arriving.prepared = std::move(prepared);
+	arriving.matches = std::move(matches);
+	prepared.clear();
+	return std::move(edit);
+}
+
+} // namespace undergrowth

@@ -1,0 +1,30 @@
+#include "field/view/field_render_setup.hpp"
+
+#include <utility>
+
+namespace undergrowth {
+
+FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
+	FieldRenderSetup outline;
+	outline.levels = setup.levels;
+	outline.rule = setup.rule;
+	outline.tile_size = setup.tile_size;
+	outline.is_of_tiles = setup.is_of_tiles;
+	outline.needs_colors = setup.needs_colors;
+	for (const SpeciesStyle &style : setup.styles) {
+		SpeciesStyle some;
+		some.variant_count = style.variant_count;
+		some.detail = style.detail;
+		some.is_by_error = style.is_by_error;
+		some.levels = style.levels;
+		some.variants = style.variants;
+		some.meshes = style.meshes;
+		some.motion = style.motion;
+		some.width = style.width;
+		some.nearest.assign(style.nearest.begin(), style.nearest.begin() + (style.nearest.empty() ? 0 : 1));
+		outline.styles.push_back(std::move(some));
+	}
+	return outline;
+}
+
+} // namespace undergrowth
