@@ -58,6 +58,7 @@ func test_add_as_field_is_one_step() -> void:
 		field.species[0].species != _state().function,
 		"the dock's own species stays out of the scene"
 	)
+	check(field.edge_falloff >= 0.2, "its soft border: %f m" % field.edge_falloff)
 	check_equal(field.wind.strength, _state().wind.strength, "strength of its wind")
 	check(field.wind != _state().wind, "the dock's own wind stays out of the scene")
 	check_equal(

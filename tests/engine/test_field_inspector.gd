@@ -31,6 +31,14 @@ func test_the_inspector_shows_a_size_where_no_path_is_the_outline() -> void:
 	check_equal(_shown_of(["size", "outline"]), ["outline"])
 
 
+func test_the_inspector_shows_a_falloff_where_a_field_has_edges() -> void:
+	check_equal(_shown_of(["edge_falloff"]), ["edge_falloff"])
+	_field.map = PlantMap.new()
+	check_equal(_shown_of(["edge_falloff"]), [], "a painted field")
+	_field.exclusions = [NodePath("Road")]
+	check_equal(_shown_of(["edge_falloff"]), ["edge_falloff"], "a painted field with a road")
+
+
 func test_what_is_not_shown_is_saved_all_the_same() -> void:
 	for property: Dictionary in _field.get_property_list():
 		if property["name"] == "ground_collision_mask":

@@ -18,22 +18,14 @@ bool is_inside_edges(const std::vector<AreaEdge> &edges, std::size_t begin, std:
 
 AreaRow::AreaRow(const Polygon &area, const std::vector<Polygon> &exclusions, double low_z, double high_z) :
 		low(low_z), high(high_z) {
-	add_edges(area, edges);
+	add_edges_between(area, low, high, edges);
 	for (const Polygon &exclusion : exclusions) {
-		add_edges(exclusion, exclusion_edges);
+		add_edges_between(exclusion, low, high, exclusion_edges);
 		if (exclusion_edges.size() > (exclusion_ends.empty() ? 0 : exclusion_ends.back())) {
 			exclusion_ends.push_back(exclusion_edges.size());
 		}
 	}
 	find_spans();
-}
-
-void AreaRow::add_edges(const Polygon &polygon, std::vector<AreaEdge> &to) const {
-	for_each_edge(polygon, [&](const AreaEdge &edge) {
-		if (edge.high_z >= low && edge.low_z <= high) {
-			to.push_back(edge);
-		}
-	});
 }
 
 /// Covers the area within the strip: the inside on its lower side, and all edges that cross the strip.

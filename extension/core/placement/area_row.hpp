@@ -1,6 +1,7 @@
 #pragma once
 
 #include "placement/area_edges.hpp"
+#include "placement/near_edges.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -19,6 +20,7 @@ struct AreaRow {
 	std::vector<AreaEdge> edges;
 	std::vector<AreaEdge> exclusion_edges;
 	std::vector<std::size_t> exclusion_ends; ///< End of each exclusion in `exclusion_edges`.
+	NearEdges near; ///< None, unless the caller adds some.
 	std::vector<AreaSpan> spans; ///< m, x: the spans contain the whole area. Unordered; may overlap.
 
 	AreaRow(const Polygon &area, const std::vector<Polygon> &exclusions, double low_z, double high_z);
@@ -27,7 +29,6 @@ struct AreaRow {
 	bool holds(const glm::vec2 &point) const;
 
 private:
-	void add_edges(const Polygon &polygon, std::vector<AreaEdge> &to) const;
 	void find_spans();
 };
 

@@ -16,7 +16,8 @@ public:
 	/// compares all other parts of the request.
 	bool can_follow(const PlacementRequest &now) const;
 	/// Precondition: can_follow(). Stores the shapes of `now` and returns a box, with a margin, around everything that
-	/// may differ; nothing if they are equal. Ignores painted areas; the map reports its changes itself.
+	/// may differ, the edge falloff included; nothing if they are equal. Ignores painted areas; the map reports its
+	/// changes itself.
 	std::optional<AreaBox> follow(const PlacementRequest &now);
 
 private:

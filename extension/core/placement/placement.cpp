@@ -5,6 +5,7 @@
 #include "conventions.hpp"
 #include "placement/area_row.hpp"
 #include "placement/clump.hpp"
+#include "placement/edge_falloff.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,8 +89,9 @@ Placement::Placement(const PlacementRequest &wanted) : request(wanted), found(fi
 	if (box.low.y > box.high.y) {
 		return;
 	}
+	const AreaBox reached = { box.low - request.edge_falloff, box.high + request.edge_falloff };
 	const auto is_elsewhere = [&](const Polygon &exclusion) {
-		const AreaBox both = common_box(bounding_box(exclusion), box);
+		const AreaBox both = common_box(bounding_box(exclusion), reached);
 		return both.low.x > both.high.x || both.low.y > both.high.y;
 	};
 	const auto begin = request.exclusions.begin();
@@ -133,6 +135,14 @@ AreaRow Placement::read_row(int row) const {
 		return AreaRow({}, {}, 0.0, 0.0);
 	}
 	AreaRow into(request.area, request.exclusions, row * spacing - SLACK, (row + 1) * spacing + SLACK);
+	if (request.edge_falloff > 0.0f) {
+		into.near = NearEdges(into.low, into.high, static_cast<double>(request.edge_falloff));
+		if (!request.map) {
+			into.near.add(request.area);
+		}
+		std::for_each(request.exclusions.begin(), request.exclusions.end(),
+				[&](const Polygon &exclusion) { into.near.add(exclusion); });
+	}
 	for (AreaSpan &span : into.spans) {
 		span = cells_of(span, spacing);
 	}
@@ -178,6 +188,10 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	if ((request.within && !is_in_box(*request.within, root)) || !edges.holds(root)) {
 		return;
 	}
+	const std::optional<float> at_edge = height_at_edge(root, edges.near, where);
+	if (!at_edge) {
+		return;
+	}
 	const uint64_t kind = mix_bits(where);
 	uint64_t species_bits = kind >> 32;
 	const bool is_in_drift = unit16(kind, 0) < static_cast<double>(request.clumping);
@@ -212,7 +226,18 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 	if (request.map) {
 		plant.height *= request.map->cell_at(species.layer, root).height_factor();
 	}
+	plant.height *= *at_edge;
 	plants.add(plant);
+}
+
+std::optional<float> Placement::height_at_edge(const glm::vec2 &root, const NearEdges &edges, uint64_t where) const {
+	if (request.edge_falloff <= 0.0f) {
+		return 1.0f;
+	}
+	const EdgeFalloff falloff =
+			edge_falloff_at(root, edges.distance_to(root), static_cast<double>(request.edge_falloff));
+	const bool remains = unit16(mix_bits(where ^ drift_seed), 0) < static_cast<double>(falloff.density);
+	return remains ? std::optional(falloff.height) : std::nullopt;
 }
 
 void Placement::comb(const PlacementSpecies &species, uint64_t bits, PlacedPlant &plant) const {

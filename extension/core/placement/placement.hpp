@@ -15,6 +15,7 @@ namespace undergrowth {
 
 struct AreaRow;
 struct AreaSpan;
+class NearEdges;
 
 /// Distribution of one species.
 struct PlacementSpecies {
@@ -32,6 +33,7 @@ struct PlacementRequest {
 	static constexpr double MAX_PLANTS = 4.0e6;
 	static constexpr float MAX_DENSITY = 1.0e4f; ///< Plants/m²: one per square centimetre.
 	static constexpr int MAX_SPECIES = 256;
+	static constexpr float MAX_FALLOFF = 100.0f; ///< m.
 
 	Polygon area;
 	/// Limits the area's plants to those with roots in this box, its lower sides included, its upper sides excluded.
@@ -45,6 +47,9 @@ struct PlacementRequest {
 	float drift_size = 3.0f; ///< m, between the centres of neighbouring drifts, >= 0.01.
 	/// 0: each plant has its own direction; 1: the plants of a clump share direction, lean and height (Clump).
 	float combed = 0.0f;
+	/// m, 0 to MAX_FALLOFF: plants within this distance of an edge of the area or of an exclusion are lower and fewer
+	/// (EdgeFalloff). With a map the area has no edges.
+	float edge_falloff = 0.0f;
 	/// Optional. Each species grows with the density and height of its layer (PaintedMix). Their sum is at most
 	/// `density`.
 	std::shared_ptr<const DensityMap> map;
@@ -67,6 +72,7 @@ enum class PlacementFault {
 	bad_deviation, ///< Of height or lean.
 	bad_clumping, ///< Or drift size.
 	bad_combed,
+	bad_falloff,
 	too_many_plants,
 };
 
@@ -78,8 +84,9 @@ const char *describe(PlacementFault fault);
 
 /// Places the plants of a request: at most one in each cell of a grid of 1/density m² cells over the whole plane,
 /// jittered. The seed and the cell determine everything about a plant. Another area or other exclusions add or remove
-/// plants but change none. Rows can be placed separately, on several threads, in any split. The expected count is
-/// density times area; only the cells on its border add chance to it.
+/// plants but change none, except for heights within an edge falloff. Rows can be placed separately, on several
+/// threads, in any split. The expected count is density times area without an edge falloff; only the cells on its
+/// border add chance to it.
 class Placement {
 public:
 	/// Min distance of two plants, as a fraction of the spacing, 1/sqrt(density).
@@ -117,6 +124,8 @@ private:
 	/// Spans of a row of cells where the map may have something.
 	std::vector<AreaSpan> painted_spans(int row) const;
 	void place_cell(int column, int row, const AreaRow &edges, FieldPlants &plants) const;
+	/// Whether a plant at `root` remains near the edges, and its factor of height. `where` is the hash of its cell.
+	std::optional<float> height_at_edge(const glm::vec2 &root, const NearEdges &edges, uint64_t where) const;
 	int pick_species(uint64_t bits) const;
 	/// Directs a plant with its clump. `bits` are its own.
 	void comb(const PlacementSpecies &species, uint64_t bits, PlacedPlant &plant) const;

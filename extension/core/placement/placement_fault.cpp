@@ -93,6 +93,9 @@ PlacementFault find_placement_fault(const PlacementRequest &request) {
 	if (!is_within(request.combed, 0.0, 1.0)) {
 		return PlacementFault::bad_combed;
 	}
+	if (!is_within(request.edge_falloff, 0.0, PlacementRequest::MAX_FALLOFF)) {
+		return PlacementFault::bad_falloff;
+	}
 	return are_too_many(request) ? PlacementFault::too_many_plants : PlacementFault::none;
 }
 
@@ -124,6 +127,8 @@ const char *describe(PlacementFault fault) {
 			return "Clumping must be from 0 to 1, and the size of clumps from 1 cm to 100 km.";
 		case PlacementFault::bad_combed:
 			return "Combed must be from 0 to 1.";
+		case PlacementFault::bad_falloff:
+			return "The edge falloff must be from 0 to 100 m.";
 		case PlacementFault::too_many_plants:
 			return "The field would have more than 4 million plants: reduce the density or the area.";
 	}

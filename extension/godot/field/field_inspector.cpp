@@ -22,6 +22,7 @@ static bool is_idle_in_area(const String &name, const PlacementOptions &options)
 	const bool has_no_area = is_painted || options.endless;
 	return (name == "size" && (has_no_area || !options.outline.is_empty())) || (name == "outline" && has_no_area) ||
 			(name == "outline_width" && (has_no_area || options.outline.is_empty())) ||
+			(name == "edge_falloff" && has_no_area && options.exclusions.is_empty()) ||
 			(name == "endless" && is_painted);
 }
 

@@ -309,6 +309,7 @@ void PlantField3D::bind_properties() {
 	SET_HERE(OBJECT, map, "get_map", PROPERTY_HINT_RESOURCE_TYPE, "PlantMap");
 	SET_HERE(ARRAY, exclusions, "get_exclusions", PROPERTY_HINT_ARRAY_TYPE, "22/35:Path3D,PlantField3D");
 	SET_HERE(PACKED_FLOAT32_ARRAY, exclusion_widths, "get_exclusion_widths", PROPERTY_HINT_NONE, "suffix:m");
+	NUMBER(FLOAT, edge_falloff, placement, 0.0, 100.0, SLIDER("0,5,0.01,or_greater,suffix:m"));
 	SET_HERE(FLOAT, view_distance, "get_view_distance", SLIDER("0,500,1,or_greater,suffix:m"));
 	SET_HERE(BOOL, endless, "is_endless");
 	VALUE(ARRAY, streaming_targets, nothing, PROPERTY_HINT_ARRAY_TYPE, "22/35:Node3D");

@@ -53,3 +53,11 @@ TEST_CASE("a wider outline changes its box, except with a map") {
 	wider.map = std::make_shared<DensityMap>();
 	CHECK_FALSE(placed.follow(wider).has_value());
 }
+
+TEST_CASE("a moved path also changes the plants within the edge falloff") {
+	PlacedArea placed;
+	placed.store_shapes(request_of(rectangle({ 20, 20 }), { rectangle({ 2, 2 }) }));
+	PlacementRequest moved = request_of(rectangle({ 20, 20 }), { rectangle({ 2, 2 }, { 5, 3 }) });
+	moved.edge_falloff = 0.75f;
+	check_box(placed.follow(moved), { -1.75f, -1.75f }, { 6.75f, 4.75f });
+}

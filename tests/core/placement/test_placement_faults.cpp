@@ -53,6 +53,9 @@ TEST_CASE("faults of density, clumping and species are found") {
 	for (const float combed : { -0.1f, 1.1f, NOT_A_NUMBER }) {
 		CHECK(fault_with([&](Request &r) { r.combed = combed; }) == PlacementFault::bad_combed);
 	}
+	for (const float falloff : { -0.1f, 100.1f, NOT_A_NUMBER }) {
+		CHECK(fault_with([&](Request &r) { r.edge_falloff = falloff; }) == PlacementFault::bad_falloff);
+	}
 	CHECK(fault_with([](Request &r) { r.drift_size = 0.0f; }) == PlacementFault::bad_clumping);
 	CHECK(fault_with([](Request &r) { r.species.clear(); }) == PlacementFault::no_species);
 	CHECK(fault_with([](Request &r) { r.species.resize(257); }) == PlacementFault::too_many_species);

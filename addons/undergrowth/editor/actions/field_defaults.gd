@@ -15,6 +15,9 @@ const MAX_PLANTS := 12000.0
 const MIN_SIDE := 5.0
 ## Radians. Exactly upright plants make a field look like a brush.
 const LEAN := 0.09
+## Width of the soft border in heights of a plant, and its range in metres.
+const FALLOFF := 1.5
+const FALLOFF_RANGE := Vector2(0.2, 1.0)
 const SEEDS := 3
 ## Segments that suffice to measure a plant.
 const SEGMENTS := 6
@@ -28,6 +31,8 @@ static func make_field(function: PlantFunction) -> PlantField3D:
 	if side < field.size.x:
 		field.size = Vector2.ONE * maxf(floorf(side), MIN_SIDE)
 	field.species = [make_entry(function)]
+	var falloff := clampf(FALLOFF * _measure(function).y, FALLOFF_RANGE.x, FALLOFF_RANGE.y)
+	field.edge_falloff = snappedf(falloff, 0.1)
 	return field
 
 

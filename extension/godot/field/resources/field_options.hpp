@@ -37,6 +37,7 @@ struct PlacementOptions {
 	double slope_alignment = 0.0;
 	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
 	double outline_width = 0.0; // m; 0: the area inside of the path.
+	double edge_falloff = 0.0; // m.
 	godot::TypedArray<godot::NodePath> exclusions; // Of Path3Ds and PlantField3Ds.
 	godot::PackedFloat32Array exclusion_widths; // m, by entry, as outline_width; missing ones are 0.
 	godot::NodePath ground_mesh;
