@@ -8,19 +8,8 @@ const VIEW := 1.6
 const DISTANCES: PackedFloat32Array = [2.0, 8.0, 25.0]
 ## Degrees by which the hue of the mean colour may differ from that at the first distance.
 const MAX_HUE_CHANGE := 5.0
-## The same at the last distance for species whose coarsest form has other shares of its colours.
-const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {
-	"buttercup": 10.0,
-	"cornflower": 17.0,
-	"garden_tulip": 10.0,
-	"ivy_carpet": 7.0,
-	"lavender": 9.5,
-	"moss_cushion": 8.0,
-	"oxeye_daisy": 13.5,
-	"poppy": 9.0,
-	"red_clover": 8.0,
-	"yarrow": 8.5,
-}
+## The same at the last distance: single dead leaves of near cattails differ from the mean of all.
+const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {"cattail": 7.0}
 ## Limits of undergrowth_in_gamut(): maximum channel, and minimum channel relative to it, linear.
 const MAX_CHANNEL := 0.85
 const MIN_SHARE := 0.03
