@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 static constexpr int FEW_PLANTS = 4096; // Fewer do not justify a group task of their own.
 /// Fewer do not justify another thread: waking it takes the main thread up to 10 µs, and a step has a whole frame.
-static constexpr int PLANTS_PER_THREAD = 32768;
+static constexpr int PLANTS_PER_THREAD = 16384;
 static constexpr int PLANTS_PER_PART = 2048; // Enough to make the cost of taking a part negligible.
 static constexpr int TOUCHING_PLANT = 16; // Cost of a plant with contact, in plants without contact.
 
