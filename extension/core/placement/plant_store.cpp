@@ -7,7 +7,6 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -61,12 +60,17 @@ ChangeSet PlantStore::apply(StoreEdit &&edit) {
 	return changes;
 }
 
+std::shared_ptr<const PlantChunk> PlantStore::share(int number) const {
+	is_shared.insert(number);
+	return chunks[static_cast<std::size_t>(number)];
+}
+
+// Another thread may still read a shared chunk, also after it returned the pointer as far as this thread can see.
 PlantChunk &PlantStore::own(int number) {
 	std::shared_ptr<PlantChunk> &chunk = chunks[static_cast<std::size_t>(number)];
-	if (chunk.use_count() > 1) {
+	if (is_shared.erase(number) > 0 || chunk.use_count() > 1) {
 		chunk = std::make_shared<PlantChunk>(*chunk);
 	}
-	std::atomic_thread_fence(std::memory_order_acquire); // Another thread's last reads end before the change.
 	return *chunk;
 }
 
@@ -107,6 +111,7 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 	if (same != spacings.end() && --same->second == 0) {
 		spacings.erase(same);
 	}
+	is_shared.erase(number);
 	changes.left.push_back(std::exchange(there, std::make_shared<PlantChunk>()));
 	free_numbers.push_back(number);
 	changes.dropped.push_back(number);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace undergrowth {
@@ -89,7 +90,7 @@ public:
 	/// An unused number has an empty chunk.
 	const PlantChunk &chunk(int number) const { return *chunks[static_cast<std::size_t>(number)]; }
 	/// The same for other threads: later edits do not change this chunk.
-	std::shared_ptr<const PlantChunk> share(int number) const { return chunks[static_cast<std::size_t>(number)]; }
+	std::shared_ptr<const PlantChunk> share(int number) const;
 	/// Ascending.
 	const std::vector<int> &chunks_of(const TileKey &tile) const;
 	float tile_size() const { return size; }
@@ -135,6 +136,7 @@ private:
 	double cell_size = 1.0; ///< m.
 	std::map<double, int> spacings; ///< Number of generated chunks by spacing.
 	std::vector<std::shared_ptr<PlantChunk>> chunks;
+	mutable std::unordered_set<int> is_shared; ///< Chunks that share() returned and that have not changed since.
 	std::vector<int> free_numbers;
 	std::map<TileKey, std::vector<int>> tiles;
 	std::unordered_map<PlantId, PlantRef> added_refs;
