@@ -65,7 +65,7 @@ std::shared_ptr<const PlantChunk> PlantStore::share(int number) const {
 	return chunks[static_cast<std::size_t>(number)];
 }
 
-// Another thread may still read a shared chunk, also after it returned the pointer as far as this thread can see.
+// A mark, because a reference count of 1 does not order the reads of another thread before the change.
 PlantChunk &PlantStore::own(int number) {
 	std::shared_ptr<PlantChunk> &chunk = chunks[static_cast<std::size_t>(number)];
 	if (is_shared.erase(number) > 0 || chunk.use_count() > 1) {
