@@ -22,7 +22,7 @@ static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
 
 // Cost of a draw in vertices: drawing this many invisible vertices costs as much as one more draw.
-static constexpr float VERTICES_OF_DRAW = 3000.0f;
+static constexpr float VERTICES_OF_DRAW = 12000.0f;
 static constexpr int MAX_SQUARE_FACTOR = 8;
 
 // A field of at most this width (m) has one square at a level that ends farther than at this share of the width.
@@ -36,7 +36,8 @@ struct Squares {
 };
 
 // Starts with the level's squares and widens those of sparse species, with a few plants each. Twice the side quarters
-// the number of draws, but squares at the level's end draw more vertices beyond it. Stops when that costs more.
+// the number of draws, but squares at the level's end draw more vertices beyond it. Stops when that costs more. A level
+// without end ends at the far side of the field.
 static Squares squares_of(
 		const FieldRenderSetup &setup, int level, const SpeciesStyle &style, float plants_in_tile, float width) {
 	const FieldLevel &seen = style.levels[size_t(level)];
@@ -45,12 +46,13 @@ static Squares squares_of(
 	}
 	Squares squares = { setup.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
 	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
+	const float seen_end = seen.end > 0.0f ? seen.end : std::max(end, width);
 	const float meshes = float(style.meshes[size_t(level)].size());
 	const float vertices = plants_in_tile / meshes * float(vertex_budget(style.segments_at(seen)));
 	while (squares.cuts > 1 || (squares.factor < MAX_SQUARE_FACTOR && !setup.is_of_tiles)) {
 		const float tiles = float(squares.factor) / float(squares.cuts); // Along a side.
 		const float side = tiles * setup.tile_size;
-		if (side * 2.0f > end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * end) {
+		if (side * 2.0f > seen_end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * seen_end) {
 			break;
 		}
 		squares.cuts > 1 ? squares.cuts /= 2 : squares.factor *= 2;
