@@ -110,19 +110,21 @@ public:
 	/// Replaces each dot by its distance to the nearest marked one.
 	void find_distances() {
 		for (int row = 0; row < rows; row++) {
-			for (int column = 0; column < columns; column++) {
-				relax(column, row, -1, 0, STEP);
-				relax(column, row, -1, -1, DIAGONAL);
-				relax(column, row, 0, -1, STEP);
-				relax(column, row, 1, -1, DIAGONAL);
+			uint16_t *own = row_of(row);
+			if (row > 0) {
+				relax_row(own, row_of(row - 1));
+			}
+			for (int column = 1; column < columns; column++) {
+				own[column] = nearer(own[column], own[column - 1], STEP);
 			}
 		}
 		for (int row = rows - 1; row >= 0; row--) {
-			for (int column = columns - 1; column >= 0; column--) {
-				relax(column, row, 1, 0, STEP);
-				relax(column, row, 1, 1, DIAGONAL);
-				relax(column, row, 0, 1, STEP);
-				relax(column, row, -1, 1, DIAGONAL);
+			uint16_t *own = row_of(row);
+			if (row + 1 < rows) {
+				relax_row(own, row_of(row + 1));
+			}
+			for (int column = columns - 1; column > 0; column--) {
+				own[column - 1] = nearer(own[column - 1], own[column], STEP);
 			}
 		}
 	}
@@ -154,12 +156,21 @@ private:
 			}
 		}
 	}
-	void relax(int column, int row, int aside, int above, uint16_t cost) {
-		const int x = column + aside;
-		const int y = row + above;
-		if (x >= 0 && x < columns && y >= 0 && y < rows) {
-			uint16_t &own = dots[static_cast<size_t>(row * columns + column)];
-			own = std::min(own, static_cast<uint16_t>(dots[static_cast<size_t>(y * columns + x)] + cost));
+	uint16_t *row_of(int row) { return dots.data() + static_cast<size_t>(row) * static_cast<size_t>(columns); }
+	static uint16_t nearer(uint16_t own, uint16_t other, uint16_t cost) {
+		return std::min(own, static_cast<uint16_t>(other + cost));
+	}
+	/// Lowers distances to those by way of the three dots in the row beside. One loop for each dot: compilers vectorize
+	/// them.
+	void relax_row(uint16_t *own, const uint16_t *beside) const {
+		for (int column = 0; column < columns; column++) {
+			own[column] = nearer(own[column], beside[column], STEP);
+		}
+		for (int column = 1; column < columns; column++) {
+			own[column] = nearer(own[column], beside[column - 1], DIAGONAL);
+		}
+		for (int column = 1; column < columns; column++) {
+			own[column - 1] = nearer(own[column - 1], beside[column], DIAGONAL);
 		}
 	}
 };
