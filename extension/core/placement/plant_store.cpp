@@ -61,14 +61,14 @@ ChangeSet PlantStore::apply(StoreEdit &&edit) {
 }
 
 std::shared_ptr<const PlantChunk> PlantStore::share(int number) const {
-	is_shared.insert(number);
+	shared_chunks.insert(number);
 	return chunks[static_cast<std::size_t>(number)];
 }
 
 // A mark, because a reference count of 1 does not order the reads of another thread before the change.
 PlantChunk &PlantStore::own(int number) {
 	std::shared_ptr<PlantChunk> &chunk = chunks[static_cast<std::size_t>(number)];
-	if (is_shared.erase(number) > 0 || chunk.use_count() > 1) {
+	if (shared_chunks.erase(number) > 0 || chunk.use_count() > 1) {
 		chunk = std::make_shared<PlantChunk>(*chunk);
 	}
 	return *chunk;
@@ -111,7 +111,7 @@ void PlantStore::drop(int number, ChangeSet &changes) {
 	if (same != spacings.end() && --same->second == 0) {
 		spacings.erase(same);
 	}
-	is_shared.erase(number);
+	shared_chunks.erase(number);
 	changes.left.push_back(std::exchange(there, std::make_shared<PlantChunk>()));
 	free_numbers.push_back(number);
 	changes.dropped.push_back(number);

@@ -136,7 +136,7 @@ private:
 	double cell_size = 1.0; ///< m.
 	std::map<double, int> spacings; ///< Number of generated chunks by spacing.
 	std::vector<std::shared_ptr<PlantChunk>> chunks;
-	mutable std::unordered_set<int> is_shared; ///< Chunks that share() returned and that have not changed since.
+	mutable std::unordered_set<int> shared_chunks; ///< Chunks that share() returned and that have not changed since.
 	std::vector<int> free_numbers;
 	std::map<TileKey, std::vector<int>> tiles;
 	std::unordered_map<PlantId, PlantRef> added_refs;
