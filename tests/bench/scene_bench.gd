@@ -1,7 +1,8 @@
 ## Measures the mix mixes/meadow.tscn with its default levels; prints a JSON list of rows.
 ##
-## The number of plants is the argument after `--`. A square field, a sun with four shadow splits to 60 m, and
-## a camera 1.6 m above the middle of an edge that looks over the field; 1080 lines.
+## The argument after `--` is the number of plants. The scene is a square field, a sun with four
+## shadow splits to 60 m, and a camera 1.6 m above the middle of an edge that looks over the field;
+## 1080 lines.
 ##
 ## Headless rows measure time and memory. median_ms, p99_ms and worst_ms are the main thread's
 ## processor time per frame at 60 frames per second, less the median of an empty scene. They contain
