@@ -18,6 +18,7 @@ LAYER = "VK_LAYER_UNDERGROWTH_null_device"
 SCREEN = (1920, 1080)
 FLAGS = ["-std=c++17", "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-Wextra", "-Wshadow", "-Wno-missing-field-initializers",
          "-Werror"]
+SCRIPT = "res://tests/bench/gpu_bench.gd"
 TIMEOUT = 900  # s for one card.
 
 
@@ -59,7 +60,7 @@ def run(godot, project, surroundings, driver, card):
     words, changes = start_words(godot, driver)
     words += ["--path", str(project), "--fixed-fps", "60", "--disable-vsync", "--rendering-method", "forward_plus",
               "--audio-driver", "Dummy", "--resolution", "{}x{}".format(*SCREEN),
-              "--script", "res://tests/bench/gpu_bench.gd"]
+              "--script", SCRIPT]
     changes |= {"VK_DRIVER_FILES": str(BUILD / "driver.json"), "VK_LAYER_PATH": str(BUILD),
                 "VK_INSTANCE_LAYERS": LAYER, "RADV_FORCE_FAMILY": card.family, "MESA_SHADER_CACHE_DISABLE": "1",
                 "UNDERGROWTH_GPU_LOG": str(path), "UNDERGROWTH_GPU_SIZE": "{}x{}".format(*SCREEN)}
