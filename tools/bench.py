@@ -5,6 +5,9 @@ Prints a table and what it means, writes build/bench.json and build/bench.png. A
 of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of the engine also have a "renderer".
 
 --release measures in an exported game, with the engine's release template and the add-on's release library.
+
+The part gpu is measured only where it is named: it fetches packages once. It estimates the time of a graphics card,
+without one, from the cycles that Mesa's compiler states for the shaders (tools/gpu).
 """
 
 import argparse
@@ -21,6 +24,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 import bench_plot  # noqa: E402  (the path above comes first)
 import bench_summary  # noqa: E402
+from gpu import measure as gpu  # noqa: E402
 from suites import engine, exporting  # noqa: E402
 from toolchain import display  # noqa: E402
 from toolchain.place import Missing  # noqa: E402
@@ -38,7 +42,8 @@ ENGINE_SCRIPTS = {
 }
 SCENE_COUNTS = (10_000, 100_000, 1_000_000)
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
-PARTS = ("core", *ENGINE_SCRIPTS, "scene", "drawn")
+DEFAULT_PARTS = ("core", *ENGINE_SCRIPTS, "scene", "drawn")
+PARTS = (*DEFAULT_PARTS, "gpu")
 STEADY = ["--fixed-fps", "60", "--disable-vsync"]
 # What makes a script of tests/bench the main loop of a game.
 GAME = """
@@ -133,6 +138,16 @@ def scene_rows(start, surroundings):
     return rows
 
 
+def gpu_rows(godot, folder):
+    """The estimate for graphics cards; nothing where the driver cannot be had or does not start."""
+    try:
+        return gpu.rows(godot, folder, engine.private_home)
+    except Missing as missing:
+        reason = str(missing).splitlines()[0].rstrip(":")
+        print(f"gpu is not measured: {reason}")
+        return []
+
+
 def table(rows):
     texts = [COLUMNS] + [tuple(text(row.get(column)) for column in COLUMNS) for row in rows]
     widths = [max(len(line[i]) for line in texts) for i in range(len(COLUMNS))]
@@ -158,7 +173,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--godot", required=True)
     parser.add_argument("--core", help="the program that measures the core")
-    parser.add_argument("--parts", default=",".join(PARTS), help="what to measure: some of " + ", ".join(PARTS))
+    parser.add_argument("--parts", default=",".join(DEFAULT_PARTS), help="what to measure: some of " + ", ".join(PARTS))
     parser.add_argument("--release", action="store_true", help="in an exported game")
     options = parser.parse_args()
     parts = set(options.parts.split(","))
@@ -177,6 +192,7 @@ def main():
         rows += measure(script, [*start(script), "--headless"], surroundings(os.environ))
     rows += scene_rows(start, surroundings) if "scene" in parts else []
     rows += drawn_rows(start, surroundings) if "drawn" in parts else []
+    rows += gpu_rows(options.godot, folder) if "gpu" in parts else []
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
     print("In a game, with the release library" if options.release else "In an editor's engine, with the debug library")

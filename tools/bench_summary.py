@@ -3,6 +3,7 @@
 PEERS = (("jolt", "Jolt body and pin joint"), ("spring_bone_2", "SpringBoneSimulator3D"),
          ("gdscript", "GDScript arrays"), ("plant3d_held", "Plant3D"))
 PLANTS = 100000  # The reference size of most figures.
+GPU_PASSES = ("colour", "depth", "shadow")
 
 
 class Rows:
@@ -30,7 +31,8 @@ def lines(rows):
     lines = [*kernel_lines(rows), *stem_lines(found), *thread_lines(found)]
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         lines += field_lines(found, renderer)
-    return [*lines, *fill_lines(found), *edit_lines(rows), *scene_lines(rows), *peer_lines(found)]
+    return [*lines, *fill_lines(found), *edit_lines(rows), *scene_lines(rows), *gpu_lines(rows),
+            *peer_lines(found)]
 
 
 def kernel_lines(rows):
@@ -61,6 +63,23 @@ def scene_lines(rows):
         scenes = [row for row in rows if row["name"] == "scene" and member in row]
         lines += [f"scene: {1e6 * (more[member] - less[member]) / (more['plants'] - less['plants']):.0f} bytes of {what} "
                   f"a plant from {less['plants']:,} to {more['plants']:,}" for less, more in zip(scenes, scenes[1:])]
+    return lines
+
+
+def gpu_lines(rows):
+    """What the compiler for a graphics card states, and the time that follows from it (tools/gpu)."""
+    def by_pass(row, what):
+        return " / ".join(f"{row.get(f'{one}_{what}', 0):,.0f}" for one in GPU_PASSES)
+
+    lines = [f"{row['name']}, {row['renderer']}: {by_pass(row, 'cycles')} cycles of a SIMD for 64 vertices in colour / "
+             f"depth / shadow, {by_pass(row, 'registers')} vector registers"
+             for row in rows if "colour_cycles" in row]
+    for row in rows:
+        if "colour_vertices" in row:
+            times = [row[f"{one}_ms"] for one in GPU_PASSES]
+            parts = ", ".join(f"{one} {time:.2f}" for one, time in zip(GPU_PASSES, times))
+            lines.append(f"{row['name']}, {row['renderer']}, {row['plants']:,} plants: an estimate of {sum(times):.2f} ms "
+                         f"for vertices ({parts})")
     return lines
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 import prose
 
 ROOT = Path(__file__).resolve().parents[1]
-CPP_FOLDERS = ("extension", "tests")
+CPP_FOLDERS = ("extension", "tests", "tools")
 GDSCRIPT_FOLDERS = ("addons", "demo_project", "tests")
 SKIPPED = {".godot", "build", "bin"}
 # C's standard headers and those of the processors.

@@ -22,7 +22,7 @@ GROUPS = (
     ("editor comments", "addons", (".gd",)),
     ("demo comments", "demo_project", (".gd", ".gdshader", ".gdshaderinc")),
     ("test comments", "tests", (".cpp", ".hpp", ".gd", ".py")),
-    ("tools", "tools", (".py",)),
+    ("tools", "tools", (".py", ".cpp", ".hpp")),
     ("class reference", "extension/doc_classes", (".xml",)),
     ("documentation", ".", (".md",)),
 )

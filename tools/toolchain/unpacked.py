@@ -39,9 +39,16 @@ def loader_of(folder):
     return sorted(folder.glob("usr/lib*/ld-linux*.so*"))[0].relative_to(folder)
 
 
-def libraries_of(folder):
-    """The folder of the libraries, relative to the unpacked one."""
-    return next(path.parent for path in folder.glob("usr/lib/*/libc.so.6")).relative_to(folder)
+def libraries_of(folder, library="libc.so.6"):
+    """The folder of the libraries, relative to the unpacked one: the one that has `library`."""
+    return next(path.parent for path in folder.glob(f"usr/lib/*/{library}")).relative_to(folder)
+
+
+def words_with(folder, program, libraries):
+    """The words that start a program of the unpacked `folder` with a further folder of `libraries`, without its script."""
+    own = folder / libraries_of(folder)
+    search = [*(f"{own}{below}" for below in LIBRARY_FOLDERS), str(libraries)]
+    return [str(folder / loader_of(folder)), "--library-path", ":".join(search), str(folder / "usr/bin" / program)]
 
 
 def find_xkbcomp_on_path(server):
