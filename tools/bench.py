@@ -39,10 +39,10 @@ ENGINE_SCRIPTS = {
     "edits": "edits_bench",
     "many": "many_fields_bench",
     "ground": "ground_bench",
-    "scene": "scene_bench",
 }
+SCENE_COUNTS = (10_000, 100_000, 1_000_000)
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
-DEFAULT_PARTS = ("core", *ENGINE_SCRIPTS, "drawn")
+DEFAULT_PARTS = ("core", *ENGINE_SCRIPTS, "scene", "drawn")
 PARTS = (*DEFAULT_PARTS, "gpu")
 STEADY = ["--fixed-fps", "60", "--disable-vsync"]
 # What makes a script of tests/bench the main loop of a game.
@@ -119,14 +119,23 @@ def drawn_rows(start, surroundings):
 
 
 def scene_rows(start, surroundings):
-    """The counts of scene_bench.gd, which a renderer must draw; nothing where there is no virtual display."""
-    words = [*start("scene_bench"), "--rendering-method", "forward_plus", "--audio-driver", "Dummy"]
+    """The rows of scene_bench.gd. Each number of plants has its own processes, since freed memory stays in a process.
+
+    The counts are missing where there is no virtual display.
+    """
+    words = start("scene_bench")
+    rows = []
+    for count in SCENE_COUNTS:
+        rows += measure("scene_bench", [*words, "--headless", "--", str(count)], surroundings(os.environ))
+    drawn = [*words, "--rendering-method", "forward_plus", "--audio-driver", "Dummy", "--"]
     try:
         with display.virtual(1920, 1080) as environment:
-            return measure("scene_bench in forward_plus", words, surroundings(environment), SCENE_TIMEOUT)
+            for count in SCENE_COUNTS:
+                rows += measure("scene_bench in forward_plus", [*drawn, str(count)], surroundings(environment),
+                                SCENE_TIMEOUT)
     except Missing as missing:
         print(f"scene_bench in forward_plus is not measured: {missing}")
-        return []
+    return rows
 
 
 def gpu_rows(godot, folder):

@@ -7,7 +7,7 @@ SERIES = (
     ("field_frame", "PlantField3D,\nevery plant", "#1b7f3b", "o"),
     ("field_frame_interval_4", "update_interval 4", "#55a868", "^"),
     ("field_frame_prototypes_64", "prototypes 64", "#3a9d8f", "s"),
-    ("plant3d", "Plant3D", "#7a5195", "o"),
+    ("plant3d_held", "Plant3D", "#7a5195", "o"),
     ("spring_bone_2", "SpringBoneSimulator3D", "#c8553d", "D"),
     ("jolt", "Jolt body and joint", "#d08c12", "v"),
     ("gdscript", "GDScript arrays", "#4c78a8", "P"),

@@ -1,7 +1,7 @@
 """What ./run bench measured means: shares of what the processor can do, and how many times faster one row is than another."""
 
 PEERS = (("jolt", "Jolt body and pin joint"), ("spring_bone_2", "SpringBoneSimulator3D"),
-         ("gdscript", "GDScript arrays"), ("plant3d", "Plant3D"))
+         ("gdscript", "GDScript arrays"), ("plant3d_held", "Plant3D"))
 PLANTS = 100000  # The reference size of most figures.
 GPU_PASSES = ("colour", "depth", "shadow")
 
