@@ -15,7 +15,7 @@ const SPECIES := "res://addons/undergrowth/species/oxeye_daisy.tres"
 const SIZES: Array[int] = [10_000, 100_000, 1_000_000]  # Plants of the scenes.
 const SEGMENTS := 12
 const INSTANCES := 100
-const STEADY_FRAMES := 60
+const STEADY_FRAMES := 180  # Idle threads of a loaded machine may start a task late.
 const MAX_WAIT := 1800  # Frames.
 
 
