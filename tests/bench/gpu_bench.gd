@@ -79,6 +79,8 @@ func _count_drawn(count: int) -> void:
 		{
 			"name": "gpu_scene",
 			"plants": plants,
+			"draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, false),
+			"shadow_draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, false),
 			"primitives": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, true),
 			"shadow_primitives": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, true)
 		}
