@@ -46,13 +46,13 @@ static Squares squares_of(
 	}
 	Squares squares = { setup.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
 	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
-	const float seen_end = seen.end > 0.0f ? seen.end : std::max(end, width);
+	const float draw_end = seen.end > 0.0f ? seen.end : std::max(end, width);
 	const float meshes = float(style.meshes[size_t(level)].size());
 	const float vertices = plants_in_tile / meshes * float(vertex_budget(style.segments_at(seen)));
 	while (squares.cuts > 1 || (squares.factor < MAX_SQUARE_FACTOR && !setup.is_of_tiles)) {
 		const float tiles = float(squares.factor) / float(squares.cuts); // Along a side.
 		const float side = tiles * setup.tile_size;
-		if (side * 2.0f > seen_end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * seen_end) {
+		if (side * 2.0f > draw_end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * draw_end) {
 			break;
 		}
 		squares.cuts > 1 ? squares.cuts /= 2 : squares.factor *= 2;
