@@ -54,7 +54,7 @@ def scene_lines(rows):
     lines = [f"{row['name']}, {row['plants']:,} plants: {row['draw_calls']:,} draw calls and "
              f"{row['shadow_draw_calls']:,} for shadows; {row['primitives'] / 1e6:.2f} and "
              f"{row['shadow_primitives'] / 1e6:.2f} M primitives; {row['video_mb']:.0f} MB of video memory"
-             for row in rows if "draw_calls" in row]
+             for row in rows if "video_mb" in row]
     lines += [f"{row['name']}, {row['plants']:,} plants: the first after {row['first_plant_ms']:.0f} ms, all after "
               f"{row['all_plants_ms']:.0f} ms, {row['processor_ms']:.0f} ms of processors' time; "
               f"{row['resident_mb']:.0f} MB resident"

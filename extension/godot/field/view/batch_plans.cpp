@@ -24,6 +24,9 @@ static constexpr int CUSTOM_FLOATS = 4;
 // Cost of a draw in vertices: drawing this many invisible vertices costs as much as one more draw.
 static constexpr float VERTICES_OF_DRAW = 12000.0f;
 static constexpr int MAX_SQUARE_FACTOR = 8;
+// Where a level without end counts as ended (m). Wider squares would have too many plants beside the view and in each
+// split of the shadows.
+static constexpr float MAX_DRAW_END = 60.0f;
 
 // A field of at most this width (m) has one square at a level that ends farther than at this share of the width.
 static constexpr float WHOLE_SHARE = 0.7f;
@@ -36,8 +39,7 @@ struct Squares {
 };
 
 // Starts with the level's squares and widens those of sparse species, with a few plants each. Twice the side quarters
-// the number of draws, but squares at the level's end draw more vertices beyond it. Stops when that costs more. A level
-// without end ends at the far side of the field.
+// the number of draws, but squares at the level's end draw more vertices beyond it. Stops when that costs more.
 static Squares squares_of(
 		const FieldRenderSetup &setup, int level, const SpeciesStyle &style, float plants_in_tile, float width) {
 	const FieldLevel &seen = style.levels[size_t(level)];
@@ -46,7 +48,7 @@ static Squares squares_of(
 	}
 	Squares squares = { setup.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
 	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
-	const float draw_end = seen.end > 0.0f ? seen.end : std::max(end, width);
+	const float draw_end = seen.end > 0.0f ? seen.end : std::max(end, std::min(width, MAX_DRAW_END));
 	const float meshes = float(style.meshes[size_t(level)].size());
 	const float vertices = plants_in_tile / meshes * float(vertex_budget(style.segments_at(seen)));
 	while (squares.cuts > 1 || (squares.factor < MAX_SQUARE_FACTOR && !setup.is_of_tiles)) {
