@@ -19,7 +19,7 @@ FRAMES = 60
 SHEET_SIZE = (1680, 1520)
 FRAMES_PER_SECOND = 15
 IMPORT_TIMEOUT = 120
-DRAWING_TIMEOUT = 600
+DRAWING_TIMEOUT = 1800  # s: a software renderer on a busy machine needs more than 600.
 
 
 def import_resources(godot):
