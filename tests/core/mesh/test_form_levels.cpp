@@ -29,7 +29,7 @@ struct Tolerance {
 };
 
 constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.07, 3.0 }, { 3, 0.03, 0.05, 3.2 },
-	{ 2, 0.03, 0.07, 3.0 }, { 1, 0.04, 0.09, 3.5 } };
+	{ 2, 0.03, 0.07, 3.0 }, { 1, 0.04, 0.09, 3.4 } };
 
 constexpr double RISE = 0.3; // rad: mean colours are those that a camera sees from a little above.
 
