@@ -22,11 +22,13 @@ static constexpr int COLOR_FLOATS = 4;
 static constexpr int CUSTOM_FLOATS = 4;
 
 // Cost of a draw in vertices: drawing this many invisible vertices costs as much as one more draw.
-static constexpr float VERTICES_OF_DRAW = 12000.0f;
+static constexpr float VERTICES_OF_DRAW = 3000.0f;
 static constexpr int MAX_SQUARE_FACTOR = 8;
-// Where a level without end counts as ended (m). Wider squares would have too many plants beside the view and in each
-// split of the shadows.
-static constexpr float MAX_DRAW_END = 60.0f;
+// The same at levels by error without end, where the estimate counts too many: a saved draw costs 1,200 triangles.
+static constexpr float VERTICES_OF_FAR_DRAW = 12000.0f;
+// Where such a level counts as ended (m). Wider squares would have too many plants beside the view and in each split of
+// the shadows.
+static constexpr float MAX_FAR_END = 60.0f;
 
 // A field of at most this width (m) has one square at a level that ends farther than at this share of the width.
 static constexpr float WHOLE_SHARE = 0.7f;
@@ -48,13 +50,15 @@ static Squares squares_of(
 	}
 	Squares squares = { setup.is_of_tiles ? 1 : seen.tile_factor, seen.tile_cuts };
 	const float end = seen.end > 0.0f ? seen.end : 2.0f * seen.begin;
-	const float draw_end = seen.end > 0.0f ? seen.end : std::max(end, std::min(width, MAX_DRAW_END));
+	const bool is_far = style.is_by_error && seen.end <= 0.0f;
+	const float draw_end = is_far ? std::max(end, std::min(width, MAX_FAR_END)) : end;
+	const float vertices_of_draw = is_far ? VERTICES_OF_FAR_DRAW : VERTICES_OF_DRAW;
 	const float meshes = float(style.meshes[size_t(level)].size());
 	const float vertices = plants_in_tile / meshes * float(vertex_budget(style.segments_at(seen)));
 	while (squares.cuts > 1 || (squares.factor < MAX_SQUARE_FACTOR && !setup.is_of_tiles)) {
 		const float tiles = float(squares.factor) / float(squares.cuts); // Along a side.
 		const float side = tiles * setup.tile_size;
-		if (side * 2.0f > draw_end || 2.0f * vertices * tiles * tiles * side > VERTICES_OF_DRAW * draw_end) {
+		if (side * 2.0f > draw_end || 2.0f * vertices * tiles * tiles * side > vertices_of_draw * draw_end) {
 			break;
 		}
 		squares.cuts > 1 ? squares.cuts /= 2 : squares.factor *= 2;
