@@ -141,7 +141,7 @@ def scene_rows(start, surroundings):
 def gpu_rows(godot, folder):
     """The estimate for graphics cards; nothing where the driver cannot be had or does not start."""
     try:
-        return gpu.rows(godot, folder, engine.private_home)
+        return gpu.rows(godot, folder, engine.private_home, SCENE_COUNTS)
     except Missing as missing:
         reason = str(missing).splitlines()[0].rstrip(":")
         print(f"gpu is not measured: {reason}")

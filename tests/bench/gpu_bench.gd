@@ -2,9 +2,10 @@
 ##
 ## tools/gpu starts it and reads its log. First it draws one material at a time, in a multimesh:
 ## plant_parts.gdshader, plant_cards.gdshader, and a StandardMaterial3D of two sides with vertex
-## colours. Then it draws the scene of scene_bench.gd in each size.
+## colours. Then it draws the scene of scene_bench.gd with each number of plants
+## after `--`.
 ## After the last frame of each part the log gets a line: `mark shader NAME` or `mark scene PLANTS`.
-## Rows contain the primitives of the colour and shadow passes, as in scene_bench.gd.
+## Rows contain the draw calls and primitives of the colour and shadow passes, as in scene_bench.gd.
 extends "res://tests/bench/scene_bench.gd"
 
 const SHADERS := {
@@ -12,7 +13,6 @@ const SHADERS := {
 	"plant_cards": "res://addons/undergrowth/shaders/plant_cards.gdshader",
 }
 const SPECIES := "res://addons/undergrowth/species/oxeye_daisy.tres"
-const SIZES: Array[int] = [10_000, 100_000, 1_000_000]  # Plants of the scenes.
 const SEGMENTS := 12
 const INSTANCES := 100
 const STEADY_FRAMES := 180  # Idle threads of a loaded machine may start a task late.
@@ -30,8 +30,8 @@ func _run() -> void:
 		material.shader = load(SHADERS[name])
 		await _draw_alone(name, material)
 	await _draw_alone("StandardMaterial3D", _plain_material())
-	for count in SIZES:
-		await _count_drawn(count)
+	for count in OS.get_cmdline_user_args():
+		await _count_drawn(int(count))
 	print(JSON.stringify(_rows))
 	quit()
 
@@ -65,26 +65,12 @@ func _draw_alone(name: String, material: Material) -> void:
 
 func _count_drawn(count: int) -> void:
 	var field := _add_field(count)
-	for frame in MAX_FRAMES:
-		if not field.is_building():
-			break
-		await process_frame
-		OS.delay_usec(FRAME_USEC)
-	for frame in SETTLING_FRAMES:
-		await process_frame
+	await _build(field)
 	await _settle()
-	var plants := field.get_plant_count()
-	_mark("scene %d" % plants)
-	_rows.append(
-		{
-			"name": "gpu_scene",
-			"plants": plants,
-			"draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, false),
-			"shadow_draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, false),
-			"primitives": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, true),
-			"shadow_primitives": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, true)
-		}
-	)
+	var row := _counts_of(field)
+	row["name"] = "gpu_scene"
+	_mark("scene %d" % row["plants"])
+	_rows.append(row)
 	await _remove(field)
 
 

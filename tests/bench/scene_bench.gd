@@ -124,6 +124,19 @@ func _count_drawn(count: int) -> void:
 	var before := await _video_bytes()
 	RenderingServer.render_loop_enabled = false
 	var field := _add_field(count)
+	await _build(field)
+	RenderingServer.render_loop_enabled = true
+	for frame in DRAWN_FRAMES:
+		await RenderingServer.frame_post_draw
+	var row := _counts_of(field)
+	row["name"] = "scene"
+	row["renderer"] = RenderingServer.get_current_rendering_method()
+	row["video_mb"] = (await _video_bytes() - before) / 1e6
+	_rows.append(row)
+	await _remove(field)
+
+
+func _build(field: PlantField3D) -> void:
 	for frame in MAX_FRAMES:
 		if not field.is_building():
 			break
@@ -131,23 +144,17 @@ func _count_drawn(count: int) -> void:
 		OS.delay_usec(FRAME_USEC)  # Workers need the time that frames without drawing do not take.
 	for frame in SETTLING_FRAMES:
 		await process_frame
-	RenderingServer.render_loop_enabled = true
-	for frame in DRAWN_FRAMES:
-		await RenderingServer.frame_post_draw
-	var plants := field.get_plant_count()
-	_rows.append(
-		{
-			"name": "scene",
-			"plants": plants,
-			"renderer": RenderingServer.get_current_rendering_method(),
-			"draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, false),
-			"shadow_draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, false),
-			"primitives": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, true),
-			"shadow_primitives": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, true),
-			"video_mb": (await _video_bytes() - before) / 1e6
-		}
-	)
-	await _remove(field)
+
+
+## The number of plants, and what the last frame drew.
+func _counts_of(field: PlantField3D) -> Dictionary:
+	return {
+		"plants": field.get_plant_count(),
+		"draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, false),
+		"shadow_draw_calls": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, false),
+		"primitives": _drawn(Viewport.RENDER_INFO_TYPE_VISIBLE, true),
+		"shadow_primitives": _drawn(Viewport.RENDER_INFO_TYPE_SHADOW, true)
+	}
 
 
 func _drawn(pass_type: Viewport.RenderInfoType, primitives: bool) -> int:

@@ -16,20 +16,21 @@ SOURCES = Path(__file__).parent / "layer"
 BUILD = ROOT / "build/gpu"
 LAYER = "VK_LAYER_UNDERGROWTH_null_device"
 SCREEN = (1920, 1080)
-FLAGS = ["-std=c++17", "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-Wextra", "-Wshadow", "-Wno-missing-field-initializers",
-         "-Werror"]
+SIZE = "{}x{}".format(*SCREEN)
+FLAGS = ["-std=c++17", "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-Wextra", "-Wshadow",
+         "-Wno-missing-field-initializers", "-Werror"]
 SCRIPT = "res://tests/bench/gpu_bench.gd"
 TIMEOUT = 900  # s for one card.
 
 
-def rows(godot, project, surroundings):
-    """The rows of all cards. `project` is the folder of the project that has tests/bench; `surroundings` changes an
-    environment. Raises Missing where the driver cannot be had."""
+def rows(godot, project, surroundings, counts):
+    """The rows of all cards, with scenes of `counts` plants. `project` is the folder of the project that has tests/bench;
+    `surroundings` changes an environment. Raises Missing where the driver cannot be had."""
     driver = radv.fetch()
     prepare(driver)
     found = []
     for card in CARDS:
-        log, scenes = run(godot, project, surroundings, driver, card)
+        log, scenes = run(godot, project, surroundings, counts, driver, card)
         found += rows_of(card, log, scenes)
     return found
 
@@ -52,18 +53,17 @@ def prepare(driver):
     (BUILD / "driver.json").write_text(json.dumps(driver.description))
 
 
-def run(godot, project, surroundings, driver, card):
+def run(godot, project, surroundings, counts, driver, card):
     """The Log of the bench on a card, and its rows by number of plants."""
     path = BUILD / f"{card.family}.log"
     path.write_text("")
     say(f"Compiling for {card.title} ({card.family})")
     words, changes = start_words(godot, driver)
     words += ["--path", str(project), "--fixed-fps", "60", "--disable-vsync", "--rendering-method", "forward_plus",
-              "--audio-driver", "Dummy", "--resolution", "{}x{}".format(*SCREEN),
-              "--script", SCRIPT]
+              "--audio-driver", "Dummy", "--resolution", SIZE, "--script", SCRIPT, "--", *map(str, counts)]
     changes |= {"VK_DRIVER_FILES": str(BUILD / "driver.json"), "VK_LAYER_PATH": str(BUILD),
                 "VK_INSTANCE_LAYERS": LAYER, "RADV_FORCE_FAMILY": card.family, "MESA_SHADER_CACHE_DISABLE": "1",
-                "UNDERGROWTH_GPU_LOG": str(path), "UNDERGROWTH_GPU_SIZE": "{}x{}".format(*SCREEN)}
+                "UNDERGROWTH_GPU_LOG": str(path), "UNDERGROWTH_GPU_SIZE": SIZE}
     with display.virtual(*SCREEN) as environment, open(BUILD / f"{card.family}.txt", "w", encoding="utf-8") as output:
         try:
             subprocess.run(words, stdout=output, stderr=subprocess.STDOUT, env={**surroundings(environment), **changes},
@@ -82,7 +82,8 @@ def start_words(godot, driver):
     """The words that start Godot with the driver's libraries, and changes of the environment. The script of the private
     Godot chooses a software renderer, so this starts the program itself."""
     if Path(godot).resolve() == (TOOLCHAIN / "bin/godot").resolve():
-        return unpacked.words_with(TOOLCHAIN / "godot", "godot", driver.libraries), {}
+        folder = TOOLCHAIN / "godot"
+        return [*unpacked.loader_words(folder, [driver.libraries]), str(folder / "usr/bin/godot")], {}
     own = os.environ.get("LD_LIBRARY_PATH")
     return [godot], {"LD_LIBRARY_PATH": ":".join([*([own] if own else []), str(driver.libraries)])}
 

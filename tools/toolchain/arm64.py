@@ -18,9 +18,7 @@ def fetch():
     names = [emulator / "usr/bin" / name for name in NAMES if (emulator / "usr/bin" / name).exists()]
     if not names:
         raise Missing(f"Debian's {QEMU[0]} has changed: it holds no {NAMES[0]}.\n{REMEDY}")
-    libraries = folder / unpacked.libraries_of(folder)
-    search = ":".join(str(libraries) + below for below in unpacked.LIBRARY_FOLDERS)
-    return [str(names[0]), "-L", str(folder), str(folder / unpacked.loader_of(folder)), "--library-path", search], folder
+    return [str(names[0]), "-L", str(folder), *unpacked.loader_words(folder)], folder
 
 
 def fill_godot(folder):

@@ -44,11 +44,11 @@ def libraries_of(folder, library="libc.so.6"):
     return next(path.parent for path in folder.glob(f"usr/lib/*/{library}")).relative_to(folder)
 
 
-def words_with(folder, program, libraries):
-    """The words that start a program of the unpacked `folder` with a further folder of `libraries`, without its script."""
+def loader_words(folder, more=()):
+    """The words that start a program with the loader and the libraries of an unpacked folder, and `more` folders of them."""
     own = folder / libraries_of(folder)
-    search = [*(f"{own}{below}" for below in LIBRARY_FOLDERS), str(libraries)]
-    return [str(folder / loader_of(folder)), "--library-path", ":".join(search), str(folder / "usr/bin" / program)]
+    search = ":".join([*(f"{own}{below}" for below in LIBRARY_FOLDERS), *map(str, more)])
+    return [str(folder / loader_of(folder)), "--library-path", search]
 
 
 def find_xkbcomp_on_path(server):
