@@ -6,8 +6,9 @@ of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of the 
 
 --release measures in an exported game, with the engine's release template and the add-on's release library.
 
-The part gpu is measured only where it is named: it fetches packages once. It estimates the time of a graphics card,
-without one, from the cycles that Mesa's compiler states for the shaders (tools/gpu).
+Two parts are measured only where they are named. gpu fetches packages once, and estimates the time of a graphics card
+without one, from the cycles that Mesa's compiler states for the shaders (tools/gpu). card measures the time of this
+machine's graphics card, in a window.
 """
 
 import argparse
@@ -41,9 +42,10 @@ ENGINE_SCRIPTS = {
     "ground": "ground_bench",
 }
 SCENE_COUNTS = (10_000, 100_000, 1_000_000)
+CARD_RENDERERS = ("forward_plus", "mobile", "gl_compatibility")
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
 DEFAULT_PARTS = ("core", *ENGINE_SCRIPTS, "scene", "drawn")
-PARTS = (*DEFAULT_PARTS, "gpu")
+PARTS = (*DEFAULT_PARTS, "gpu", "card")
 STEADY = ["--fixed-fps", "60", "--disable-vsync"]
 # What makes a script of tests/bench the main loop of a game.
 GAME = """
@@ -138,6 +140,19 @@ def scene_rows(start, surroundings):
     return rows
 
 
+def card_rows(start, surroundings):
+    """The times of the graphics card in all renderers; nothing where there is no display."""
+    if not display.has_display():
+        print("card is not measured: there is no display")
+        return []
+    rows = []
+    words = [*start("card_bench"), "--audio-driver", "Dummy", "--resolution", "1920x1080"]
+    for method, count in itertools.product(CARD_RENDERERS, (0, *SCENE_COUNTS)):
+        rows += measure(f"card_bench in {method}", [*words, "--rendering-method", method, "--", str(count)],
+                        surroundings(os.environ), SCENE_TIMEOUT)
+    return rows
+
+
 def gpu_rows(godot, folder):
     """The estimate for graphics cards; nothing where the driver cannot be had or does not start."""
     try:
@@ -193,6 +208,7 @@ def main():
     rows += scene_rows(start, surroundings) if "scene" in parts else []
     rows += drawn_rows(start, surroundings) if "drawn" in parts else []
     rows += gpu_rows(options.godot, folder) if "gpu" in parts else []
+    rows += card_rows(start, surroundings) if "card" in parts else []
     target = ROOT / "build/bench.json"
     target.write_text(json.dumps(rows, indent="\t") + "\n")
     print("In a game, with the release library" if options.release else "In an editor's engine, with the debug library")

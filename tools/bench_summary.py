@@ -32,7 +32,7 @@ def lines(rows):
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         lines += field_lines(found, renderer)
     return [*lines, *fill_lines(found), *edit_lines(rows), *scene_lines(rows), *gpu_lines(rows),
-            *peer_lines(found)]
+            *card_lines(rows), *peer_lines(found)]
 
 
 def kernel_lines(rows):
@@ -81,6 +81,13 @@ def gpu_lines(rows):
             lines.append(f"{row['name']}, {row['renderer']}, {row['plants']:,} plants: an estimate of {sum(times):.2f} ms "
                          f"for vertices ({parts})")
     return lines
+
+
+def card_lines(rows):
+    """What this machine's graphics card takes for a frame."""
+    return [f"{row['name']}, {row['renderer']}, {row['adapter']}: {row['gpu_ms']:.2f} ms of the card for "
+            + (f"{row['plants']:,} plants, {row['drawn']}" if "plants" in row else f"{row['vertices']:,} vertices")
+            for row in rows if "gpu_ms" in row]
 
 
 def stem_lines(found):

@@ -44,23 +44,28 @@ func _plain_material() -> StandardMaterial3D:
 	return material
 
 
-## Draws a multimesh with the vertex attributes of a field.
 func _draw_alone(name: String, material: Material) -> void:
+	var node := _add_alone(material, INSTANCES)
+	await _settle()
+	_mark("shader " + name)
+	node.free()
+
+
+## Adds a multimesh with the vertex attributes of a field.
+func _add_alone(material: Material, instances: int) -> MultiMeshInstance3D:
 	var drawn := MultiMesh.new()
 	drawn.transform_format = MultiMesh.TRANSFORM_3D
 	drawn.use_custom_data = true
 	drawn.mesh = (load(SPECIES) as PlantFunction).generate_mesh(0.0, SEGMENTS)
-	drawn.instance_count = INSTANCES
-	for i in INSTANCES:
+	drawn.instance_count = instances
+	for i in instances:
 		drawn.set_instance_transform(i, Transform3D.IDENTITY)
 		drawn.set_instance_custom_data(i, Color(0.0, 0.0, 0.0, 1.0))
 	var node := MultiMeshInstance3D.new()
 	node.multimesh = drawn
 	node.material_override = material
 	root.add_child(node)
-	await _settle()
-	_mark("shader " + name)
-	node.free()
+	return node
 
 
 func _count_drawn(count: int) -> void:

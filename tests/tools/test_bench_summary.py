@@ -80,6 +80,13 @@ class Lines(unittest.TestCase):
         self.assertEqual(reported, ["100,000 tufts of five species are there after 500 ms, 540 ms of processors' time, of "
                                 "which workers have 200 ms; 81 bytes a plant"])
 
+    def test_times_of_a_graphics_card_have_a_line_each(self):
+        times = {"renderer": "mobile", "adapter": "Card", "gpu_ms": 30.417}
+        reported = bench_summary.lines([{"name": "scene_card", "plants": 97179, "drawn": "full", **times},
+                                        {"name": "card_plant_parts", "vertices": 4000560, **times}])
+        self.assertEqual(reported, ["scene_card, mobile, Card: 30.42 ms of the card for 97,179 plants, full",
+                                    "card_plant_parts, mobile, Card: 30.42 ms of the card for 4,000,560 vertices"])
+
     def test_nothing_measured_is_no_line(self):
         self.assertEqual(bench_summary.lines([]), [])
 
