@@ -63,20 +63,47 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 	check(shadow > 50, "its shadow is: %d pixels" % shadow)
 
 
-func test_lod_bias_keeps_the_levels_that_cast_shadows() -> void:
+func test_squares_beyond_the_shadow_distance_cast_no_shadows() -> void:
 	_cast_shadows()
-	_field.levels = [PlantFieldLevel.of(12, 0.2), PlantFieldLevel.of(6)]
-	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
-	_field.lod_bias = 5.0  # The second level, which contains the plant, starts at 1 m.
-	for distance: float in [0.15, 0.3]:
+	stage.get_camera_3d().look_at_from_position(Vector3(0, 3, 12), Vector3.ZERO)
+	_field.add_plants([Transform3D(Basis(), Vector3(1, 0, 0))], TulipFunction.new())
+	var casters: Array[int] = []
+	for distance: float in [20.0, 6.0, 20.0]:
 		_field.shadow_distance = distance
+		await frames(12)
+		await picture()
+		casters.append(_shadow_draws())
+	check(casters[1] < casters[0], "%d and %d shadow draws" % [casters[0], casters[1]])
+	check_equal(casters[2], casters[0], "shadow draws at the first distance again")
+
+
+func test_shadows_become_narrower_before_their_end() -> void:
+	_cast_shadows()
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	var away := stage.get_camera_3d().global_position.length()
+	var dark: Array[int] = []
+	for end: float in [20.0 * away, 1.1 * away, 1.0 * away]:
+		_field.shadow_distance = end
+		await frames(12)
+		var now := await picture()
+		_field.shadow_distance = 0.0
+		dark.append(count_different(now, await picture()))
+	check(dark[0] > 50 and dark[1] > 10 and dark[1] < dark[0], "%s pixels of shadow" % [dark])
+	check_equal(dark[2], 0, "pixels of shadow at its end")
+
+
+func test_lod_bias_multiplies_the_shadow_distance() -> void:
+	_cast_shadows()
+	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
+	_field.lod_bias = 5.0
+	var away := stage.get_camera_3d().global_position.length()
+	for share: float in [0.19, 0.4]:
+		_field.shadow_distance = share * away
 		await frames(12)
 		var now := await picture()
 		_field.shadow_distance = 0.0
 		var shadow := count_different(now, await picture())
-		check(
-			shadow > 50 if distance > 0.2 else shadow == 0, "%d pixels at %f" % [shadow, distance]
-		)
+		check(shadow > 50 if share > 0.2 else shadow == 0, "%d pixels at %f" % [shadow, share])
 
 
 func test_turning_the_camera_changes_no_level() -> void:
@@ -129,3 +156,13 @@ func _cast_shadows() -> void:
 	stage.add_child(ground)
 	for light in stage.find_children("*", "DirectionalLight3D", true, false):
 		(light as DirectionalLight3D).shadow_enabled = true
+
+
+## Shadow draws of the last frame. Compatibility counts them together with all others.
+func _shadow_draws() -> int:
+	var sum := 0
+	for kind: Viewport.RenderInfoType in [
+		Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_TYPE_SHADOW
+	]:
+		sum += stage.get_viewport().get_render_info(kind, Viewport.RENDER_INFO_DRAW_CALLS_IN_FRAME)
+	return sum

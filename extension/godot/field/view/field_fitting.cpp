@@ -163,8 +163,7 @@ static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyl
 		set_shadows(rule, style, levels);
 	}
 	for (FieldLevel &level : levels) {
-		level.casts_shadows =
-				level.is_used && level.casts_shadows && level.begin < rule.shadow_distance * rule.lod_bias;
+		level.casts_shadows = level.is_used && level.casts_shadows && level.begin < level.shadow_end;
 		fit_tiles(level, setup.tile_size, rule.is_wider);
 	}
 	return levels;

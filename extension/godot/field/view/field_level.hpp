@@ -22,14 +22,16 @@ struct FieldLevel {
 	LodDensity lod_density;
 	bool affects_lathes = false; ///< True: thins all plants. False: only plants of parts.
 	bool casts_shadows = true;
+	float shadow_end = 0.0f; ///< m: plants farther away cast no shadows.
 	float shadow_begin = 0.0f; ///< m: where it begins to cast the shadows of finer levels.
 	bool casts_for_finer = false; ///< True: its plants also cast the shadows of all finer levels.
 
 	bool operator==(const FieldLevel &other) const {
 		return std::tie(lod, begin, end, margin, end_margin, tile_factor, tile_cuts, affects_lathes, casts_shadows,
-					   shadow_begin) ==
+					   shadow_end, shadow_begin) ==
 				std::tie(other.lod, other.begin, other.end, other.margin, other.end_margin, other.tile_factor,
-						other.tile_cuts, other.affects_lathes, other.casts_shadows, other.shadow_begin) &&
+						other.tile_cuts, other.affects_lathes, other.casts_shadows, other.shadow_end,
+						other.shadow_begin) &&
 				lod_density == other.lod_density && has_form_of(other);
 	}
 	/// True if both are drawn with the same meshes and multimeshes.

@@ -147,7 +147,8 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.margin = std::max(rule.fade_ratio * level.begin, MIN_MARGIN);
 		level.end_margin = std::max(rule.fade_ratio * level.end, MIN_MARGIN);
 		level.halvings = std::max(int(i) - (rule.is_by_error ? LEVELS_OF_ALL_VARIANTS - 1 : 0), 0);
-		level.casts_shadows = level.begin < options.shadow_distance * double(range.lod_bias);
+		level.shadow_end = rule.shadow_distance * range.lod_bias;
+		level.casts_shadows = level.begin < level.shadow_end;
 		// With a view distance, tiles come and go alone.
 		fit_tiles(level, float(options.tile_size), rule.is_wider);
 		made.push_back(level);

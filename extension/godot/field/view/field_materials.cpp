@@ -124,6 +124,7 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		const LodDensity lod_density = level.lod_density_of(style.has_parts());
 		const Ref<ShaderMaterial> &material = style.materials[i];
 		set_parameter(material, "undergrowth_level", Vector4(begin, end, level.margin, level.end_margin));
+		set_parameter(material, "undergrowth_shadow_end", std::max(level.shadow_end, MIN_MARGIN));
 		set_parameter(material, "undergrowth_share_ends", vector_of(lod_density.distances));
 		set_parameter(material, "undergrowth_shares", vector_of(lod_density.densities));
 		set_parameter(material, "undergrowth_has_parts", style.has_parts());

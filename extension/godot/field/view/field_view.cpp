@@ -54,7 +54,8 @@ void FieldView::set_range(const Batch &batch, const FieldLevel &level) const {
 	server->instance_geometry_set_visibility_range(
 			batch.instance, begin, end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
 	if (batch.shadow.is_valid()) { // Where the level itself casts no shadow, finer ones do.
-		const float own_end = level.casts_shadows ? end : level.begin + radius;
+		const float last = level.shadow_end + radius;
+		const float own_end = !level.casts_shadows ? level.begin + radius : end > 0.0f ? std::min(end, last) : last;
 		const float own_begin = std::max(level.shadow_begin - radius, 0.0f);
 		server->instance_geometry_set_visibility_range(
 				batch.shadow, own_begin, own_end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
@@ -65,14 +66,17 @@ void FieldView::apply_flags(const Batch &batch, const FieldLevel &level) const {
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->instance_set_layer_mask(batch.instance, render_flags.layers);
 	server->instance_geometry_set_transparency(batch.instance, render_flags.transparency);
-	server->instance_geometry_set_cast_shadows_setting(batch.instance,
-			render_flags.casts_shadows && level.casts_shadows && !level.casts_for_finer
-					? RenderingServer::SHADOW_CASTING_SETTING_ON
-					: RenderingServer::SHADOW_CASTING_SETTING_OFF);
+	set_caster(batch, level);
 	if (batch.shadow.is_valid()) {
 		server->instance_set_layer_mask(batch.shadow, render_flags.layers);
 		set_visible(batch, is_visible && batch.is_revealed);
 	}
+}
+
+void FieldView::set_caster(const Batch &batch, const FieldLevel &level) const {
+	const bool casts = render_flags.casts_shadows && casts_itself(level) && batch.is_within_shadows;
+	RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(batch.instance,
+			casts ? RenderingServer::SHADOW_CASTING_SETTING_ON : RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
 
 FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan &plan) const {
@@ -112,8 +116,7 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 		server->instance_geometry_set_cast_shadows_setting(
 				batch.shadow, RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
 	}
-	if (!level.casts_shadows || level.casts_for_finer ||
-			!(render_flags == InstanceRenderFlags())) { // New instances have these defaults.
+	if (!casts_itself(level) || !(render_flags == InstanceRenderFlags())) { // New instances have these defaults.
 		apply_flags(batch, level);
 	}
 	set_range(batch, level);
@@ -306,10 +309,9 @@ static AABB box_around(const Transform3D &axes, const AABB &box) {
 }
 
 // The world-aligned box contains the turned one. The distance is never too large, so no plant disappears too early.
-int FieldView::steps_for(const FieldLevel &level, const Batch &batch, const std::vector<DrawingCamera> &cameras) const {
-	const LodDensity lod_density = level.lod_density_of(batch.has_parts);
-	if (cameras.empty() || !lod_density.is_any()) {
-		return RANK_STEPS;
+float FieldView::distance_to(const Batch &batch, const std::vector<DrawingCamera> &cameras) const {
+	if (cameras.empty()) {
+		return 0.0f;
 	}
 	const AABB box = box_around(placed, batch.roots);
 	float nearest = std::numeric_limits<float>::max();
@@ -317,15 +319,25 @@ int FieldView::steps_for(const FieldLevel &level, const Batch &batch, const std:
 		const Vector3 &place = camera.place;
 		nearest = std::min(nearest, float(place.distance_to(place.clamp(box.position, box.get_end()))));
 	}
+	return std::max(nearest - CAMERA_STEP, 0.0f);
+}
+
+int FieldView::steps_for(const FieldLevel &level, const Batch &batch, float distance) const {
+	const LodDensity lod_density = level.lod_density_of(batch.has_parts);
+	if (!lod_density.is_any()) {
+		return RANK_STEPS;
+	}
 	const float min = batch.shadow.is_valid() ? 0.0f : level.begin - level.margin;
-	const float cut = lod_density.cut_at(std::max(nearest - CAMERA_STEP, min));
+	const float cut = lod_density.cut_at(std::max(distance, min));
 	return bounded_whole(std::ceil((cut + RANK_ERROR) * RANK_STEPS), 0, RANK_STEPS);
 }
 
 bool FieldView::culls() const {
-	const auto is_thinned_level = [](const FieldLevel &level) { return level.is_near || level.lod_density.is_any(); };
+	const auto is_culled_level = [](const FieldLevel &level) {
+		return level.is_near || level.lod_density.is_any() || level.casts_shadows;
+	};
 	return std::any_of(levels.begin(), levels.end(), [&](const std::vector<FieldLevel> &species_levels) {
-		return std::any_of(species_levels.begin(), species_levels.end(), is_thinned_level);
+		return std::any_of(species_levels.begin(), species_levels.end(), is_culled_level);
 	});
 }
 
@@ -348,7 +360,14 @@ void FieldView::cull(const std::vector<DrawingCamera> &cameras) {
 			if (batch.near) {
 				continue;
 			}
-			const int steps = steps_for(level_of(place, batch), batch, cameras);
+			const FieldLevel &level = level_of(place, batch);
+			const float distance = distance_to(batch, cameras);
+			const bool is_within = distance < level.shadow_end;
+			if (is_within != batch.is_within_shadows) {
+				batch.is_within_shadows = is_within;
+				set_caster(batch, level);
+			}
+			const int steps = steps_for(level, batch, distance);
 			if (steps != batch.shown) {
 				batch.shown = steps;
 				// Renderers need at least one instance; the shader does not draw it.
@@ -382,7 +401,7 @@ const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, co
 			const float away = placed.xform(batch.middle).distance_to(camera);
 			const float radius = batch.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
-				counted[size_t(place.level)] += batch.rank_counts[size_t(steps_for(level, batch, { seen_from }))];
+				counted[size_t(place.level)] += batch.rank_counts[size_t(steps_for(level, batch, distance_to(batch, { seen_from })))];
 			}
 		}
 	}

@@ -73,7 +73,7 @@ public:
 	void set_visible(bool visible);
 	void set_flags(const InstanceRenderFlags &flags);
 	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `cameras` (world axes)
-	/// shows. No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera
+	/// shows, and no shadows of distant ones. No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera
 	/// moved.
 	void cull(const std::vector<DrawingCamera> &cameras);
 	/// Call before a frame is drawn.
@@ -109,6 +109,7 @@ private:
 		godot::RID shadow; ///< Instance that casts the shadows of finer levels; invalid: none.
 		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants draws them.
 		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
+		bool is_within_shadows = true; ///< So near to a camera that its plants cast shadows.
 		bool is_revealed = false; ///< The renderer has it, even if its materials draw nothing.
 	};
 
@@ -153,7 +154,11 @@ private:
 	template <class Act> static void take_parts(Batches &from, const BatchKey &place, const Act &act);
 	void set_range(const Batch &batch, const FieldLevel &level) const;
 	void apply_flags(const Batch &batch, const FieldLevel &level) const;
-	int steps_for(const FieldLevel &level, const Batch &batch, const std::vector<DrawingCamera> &cameras) const;
+	/// Smallest distance (m) of its plants to a camera, never too large. No cameras: 0.
+	float distance_to(const Batch &batch, const std::vector<DrawingCamera> &cameras) const;
+	int steps_for(const FieldLevel &level, const Batch &batch, float distance) const;
+	static bool casts_itself(const FieldLevel &level) { return level.casts_shadows && !level.casts_for_finer; }
+	void set_caster(const Batch &batch, const FieldLevel &level) const;
 	static Levels levels_of(const FieldRenderSetup &setup);
 	const FieldLevel &level_of(const BatchKey &place, const Batch &batch) const {
 		return levels[size_t(batch.species)][size_t(place.level)];
