@@ -2,6 +2,7 @@
 extends "res://tests/engine/field_harness.gd"
 
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
+const MEADOW := "res://addons/undergrowth/mixes/meadow.tscn"
 const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
 
 
@@ -66,6 +67,21 @@ func test_dense_species_change_their_levels_nearer() -> void:
 	await rested()
 	var dense: PackedFloat32Array = _levels()[1]["ends"]
 	check(dense[-2] < 0.8 * sparse[-2], "%s, sparse %s" % [dense, sparse])
+
+
+func test_plants_near_the_camera_keep_their_form_from_level_to_level() -> void:
+	field.free()
+	field = (load(MEADOW) as PackedScene).instantiate()
+	field.simulation_enabled = false
+	field.size = Vector2(10, 10)
+	await start()
+	for listed: Dictionary in _levels():
+		var begin := 0.0
+		for i in listed["ends"].size():
+			var end: float = listed["ends"][i]
+			if begin < 4.0 and end > 0.0 and end < 20.0:
+				check(listed["variants"][i] >= 2, "from %.1f m on: %s" % [begin, listed])
+			begin = end
 
 
 func test_levels_of_users_go_before_errors() -> void:

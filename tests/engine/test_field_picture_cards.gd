@@ -3,6 +3,18 @@ extends "res://tests/engine/picture_harness.gd"
 
 const SIDE := 300
 const SPECIES: Array[String] = ["male_fern", "common_reed", "wheat"]
+const FLOWERS: Array[String] = [
+	"yarrow",
+	"oxeye_daisy",
+	"buttercup",
+	"red_clover",
+	"dandelion",
+	"poppy",
+	"bellflower",
+	"lavender",
+	"cornflower"
+]
+const FINE := 600  # Pixels: thin stems are wider than one, and are not widened.
 const THINNED := 7.5  # m: beyond this distance fewer plants are drawn, which are wider.
 const LOW := 0.3  # Angles of the camera above the plant, rad.
 const HIGH := 1.1
@@ -46,6 +58,28 @@ func test_levels_with_cards_cover_as_much_in_the_same_colour() -> void:
 		_field.free()
 
 
+func test_flowers_with_cards_cover_as_much_from_the_side_and_from_above() -> void:
+	stage.size = Vector2i(FINE, FINE)
+	for name in FLOWERS:
+		await _sow(name, 1)
+		var ends: PackedFloat32Array = _field.get_statistics()["levels"][0]["ends"]
+		var are_carded: PackedByteArray = _field.get_statistics()["levels"][0]["are_carded"]
+		var distances: Array[float] = []
+		for i in range(1, ends.size()):
+			if are_carded[i] and ends[i - 1] < THINNED:
+				distances.append(1.02 * ends[i - 1])
+		check(distances.size() > 0, "%s has cards" % name)
+		var shown := await _pictures(distances)
+		_field.levels = [PlantFieldLevel.of(64)]
+		await settled(_field)
+		var whole := await _pictures(distances)
+		for i in shown.size():
+			var share: float = _pixels(shown[i]) / _pixels(whole[i])
+			var where := "%.1f m, from %.1f rad" % [distances[i / 2], HIGH if i % 2 else LOW]
+			check(share > 0.9 and share < 1.1, "%s at %s covers %.2f" % [name, where, share])
+		_field.free()
+
+
 func test_cards_turn_to_the_camera() -> void:
 	await _sow("common_reed")
 	var distance: float = 1.1 * _field.get_statistics()["levels"][0]["ends"][0]
@@ -57,10 +91,11 @@ func test_cards_turn_to_the_camera() -> void:
 	_field.free()
 
 
-func _sow(name: String) -> void:
+func _sow(name: String, variants := 4) -> void:
 	_field = PlantField3D.from_species([load("res://addons/undergrowth/species/%s.tres" % name)])
 	_field.size = Vector2(20, 20)
 	_field.density = 0.02
+	_field.species[0].variants = variants
 	_field.simulation_enabled = false
 	stage.add_child(_field)
 	await settled(_field)
@@ -90,16 +125,16 @@ func _look(distance: float, angle: float, turn: float) -> void:
 
 func _pixels(image: Image) -> float:
 	var count := 0
-	for y in SIDE:
-		for x in SIDE:
+	for y in image.get_height():
+		for x in image.get_width():
 			count += 1 if image.get_pixel(x, y).a > 0.5 else 0
 	return maxf(count, 1.0)
 
 
 func _mean(image: Image) -> Vector3:
 	var sum := Vector3.ZERO
-	for y in SIDE:
-		for x in SIDE:
+	for y in image.get_height():
+		for x in image.get_width():
 			var pixel := image.get_pixel(x, y)
 			sum += Vector3(pixel.r, pixel.g, pixel.b) if pixel.a > 0.5 else Vector3.ZERO
 	return sum / _pixels(image)

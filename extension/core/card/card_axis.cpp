@@ -54,9 +54,4 @@ FlatPoint CardAxis::flatten(const glm::vec3 &point) const {
 	return flat;
 }
 
-FlatPoint CardAxis::from_above(const glm::vec3 &point) const {
-	const FlatPoint flat = flatten(point);
-	return { flat.across, -flat.depth, flat.along };
-}
-
 } // namespace undergrowth

@@ -20,8 +20,6 @@ public:
 	CardAxis(const PlantForm &form, int carrier, float from);
 
 	FlatPoint flatten(const glm::vec3 &point) const;
-	/// The same from above: `along` is in the plane across the axis, and `depth` is along the axis.
-	FlatPoint from_above(const glm::vec3 &point) const;
 	/// Length of the carrier from the origin to its tip (m).
 	float length() const { return nodes.back().along; }
 

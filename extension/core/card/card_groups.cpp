@@ -1,7 +1,6 @@
 #include "card/card_groups.hpp"
 
 #include "card/card_axis.hpp"
-#include "card/card_picture.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -16,16 +15,14 @@ namespace undergrowth {
 namespace {
 
 constexpr float TIP = 0.75f; // Offset from which parts belong to a head.
-constexpr int MIN_PARTS = 16; // Of a card.
-constexpr int MIN_HEAD_KIND = 5; // Parts of one kind in a head, with all that they carry; fewer are drawn as parts.
+constexpr int MIN_PARTS = 16; // Of a flat card.
+constexpr int MIN_HEAD_PARTS = 3; // Of a head, and of each kind in it, with all that they carry.
 constexpr float MIN_FLAT_SPAN = 0.4f; // Of offsets.
 constexpr float MAX_DEPTH_SHARE = 0.25f; // Of the extent across, for flat cards.
 constexpr float MIN_STRIP = 1.5f; // Length over width.
 constexpr float MIN_BALL = 0.5f;
 constexpr float MAX_BALL_BASE = 0.35f; // Distance between the bases of its parts, over its length.
-constexpr float MAX_CAPPED = 1.2f; // Length over width of heads that have a picture from above.
-constexpr float MIN_FILLED = 0.5f; // Covered share of the outline of heads that have a picture from above.
-constexpr int SKETCH = 64; // Texels along the sides of the picture for it.
+constexpr float MAX_BROAD = 1.2f; // Length over width of heads that are not strips.
 constexpr int MIDRIB_POINTS = 3;
 
 /// Parts of one kind on carriers of one kind.
@@ -73,9 +70,12 @@ std::map<Key, Candidate> list_candidates(const PlantForm &form) {
 	return all;
 }
 
+bool is_in_plane(const Candidate &own) {
+	return own.depth <= static_cast<double>(MAX_DEPTH_SHARE * MAX_DEPTH_SHARE) * own.across;
+}
+
 bool is_flat(const Candidate &own) {
-	return own.parts >= MIN_PARTS * own.carriers && own.high - own.low >= MIN_FLAT_SPAN &&
-			own.depth <= static_cast<double>(MAX_DEPTH_SHARE * MAX_DEPTH_SHARE) * own.across;
+	return own.parts >= MIN_PARTS * own.carriers && own.high - own.low >= MIN_FLAT_SPAN && is_in_plane(own);
 }
 
 /// True if a single axis at the tip continues its carrier, like the rachis of an ear.
@@ -91,7 +91,7 @@ std::vector<int> kinds_on(const PlantForm &form, const std::map<Key, Candidate> 
 			[&](const auto &one) { return one.first.second == carrier && continues(form, one.first, one.second); });
 	std::vector<int> kinds;
 	for (const auto &[key, own] : all) {
-		const bool is_of_head = (own.low > TIP || is_ear) && own.parts >= MIN_HEAD_KIND * own.carriers &&
+		const bool is_of_head = (own.low > TIP || is_ear) && own.parts >= MIN_HEAD_PARTS * own.carriers &&
 				!continues(form, key, own) && !is_flat(own);
 		if (key.first == carrier && (is_head ? is_of_head : is_flat(own))) {
 			kinds.push_back(key.second);
@@ -125,50 +125,30 @@ std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind
 	}
 	std::vector<CardGroup> groups;
 	for (const std::set<int> &own : sets) {
-		groups.push_back({ carrier_kind, std::vector<int>(own.begin(), own.end()), CardShape::flat, false });
+		groups.push_back({ carrier_kind, std::vector<int>(own.begin(), own.end()), CardShape::flat });
 	}
 	return groups;
 }
 
-/// Covered share of the picture of a head from the side, in its own outline.
-float filled_share(const PlantForm &form, const CardPlaces &all, int place) {
-	const CardPicture picture = draw_card(form, all, place, false, SKETCH, SKETCH);
-	float covered = 0.0f;
-	int inside = 0;
-	for (int row = 0; row < SKETCH; row++) {
-		int first = SKETCH, last = -1;
-		for (int column = 0; column < SKETCH; column++) {
-			const float coverage = picture.texels[static_cast<size_t>(row * SKETCH + column)].coverage;
-			covered += coverage;
-			first = coverage > 0.0f ? std::min(first, column) : first;
-			last = coverage > 0.0f ? column : last;
-		}
-		inside += std::max(last - first + 1, 0);
-	}
-	return covered / static_cast<float>(std::max(inside, 1));
-}
-
-/// Sets the shape of a head from its largest place. Returns false if it stays solid: pictures of a broad, open head of
-/// twigs from the side and from above differ too much in colour from the head between these directions.
-bool shape_head(const PlantForm &form, CardGroup &group) {
+/// Returns the shape of a head, from its largest place.
+CardShape shape_of_head(const PlantForm &form, CardGroup group) {
+	group.shape = CardShape::strip; // Its axis begins at its lowest part.
 	const CardPlaces all = place_cards(form, { group });
 	const CardPlace *largest = nullptr;
 	for (const CardPlace &place : all.places) {
 		largest = !largest || place.count > largest->count ? &place : largest;
 	}
 	if (!largest) {
-		return true;
+		return CardShape::strip;
 	}
 	const CardExtent &extent = largest->extent;
 	const float ratio = (extent.high - extent.low) / (2.0f * std::max(extent.half, 1e-6f));
 	const float base = (1.0f - largest->from) * part_at(form, largest->carrier).length;
 	const bool is_round = ratio >= MIN_BALL && ratio < MIN_STRIP && base <= MAX_BALL_BASE * (extent.high - extent.low);
-	group.shape = is_round ? CardShape::ball : CardShape::strip;
-	group.has_cap = !is_round && ratio < MAX_CAPPED;
-	return !group.has_cap || filled_share(form, all, static_cast<int>(largest - all.places.data())) >= MIN_FILLED;
+	return is_round || ratio < MAX_BROAD ? CardShape::head : CardShape::strip;
 }
 
-void measure_extents(const PlantForm &form, CardPlaces &all) {
+void measure_extents(const PlantForm &form, const std::vector<CardGroup> &groups, CardPlaces &all) {
 	std::vector<CardAxis> axes;
 	for (CardPlace &place : all.places) {
 		axes.emplace_back(form, place.carrier, place.from);
@@ -180,9 +160,11 @@ void measure_extents(const PlantForm &form, CardPlaces &all) {
 			const float offset = static_cast<float>(k) / (MIDRIB_POINTS - 1);
 			const FlatPoint flat = axes[owner].flatten(form.point_of(form.placed[i], offset));
 			CardExtent &extent = all.places[owner].extent;
+			const bool is_head = groups[static_cast<size_t>(all.places[owner].group)].shape == CardShape::head;
+			const float away = is_head ? flat.depth : 0.0f;
 			extent.low = std::min(extent.low, flat.along);
 			extent.high = std::max(extent.high, flat.along);
-			extent.half = std::max(extent.half, std::abs(flat.across));
+			extent.half = std::max(extent.half, std::sqrt(flat.across * flat.across + away * away));
 		}
 	}
 }
@@ -206,12 +188,12 @@ std::vector<CardGroup> find_card_groups(const PlantForm &form) {
 					parts += own.parts / std::max(own.carriers, 1);
 					size += own.size;
 				}
-				if (parts < MIN_PARTS) {
+				if (parts < (is_head ? MIN_HEAD_PARTS : MIN_PARTS)) {
 					continue;
 				}
-				if (is_head && !shape_head(form, group)) {
-					continue;
-				}
+				const bool is_leaf = std::all_of(group.carried.begin(), group.carried.end(),
+						[&](int carried) { return is_in_plane(all.at({ kind, carried })); });
+				group.shape = !is_head ? CardShape::flat : is_leaf ? CardShape::leaf : shape_of_head(form, group);
 				for (const int carried : group.carried) {
 					is_replaced[static_cast<size_t>(carried)] = true;
 				}
@@ -258,7 +240,7 @@ CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &grou
 			all.places[static_cast<size_t>(all.owners[i])].count++;
 		}
 	}
-	measure_extents(form, all);
+	measure_extents(form, groups, all);
 	return all;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "form/plant_form.hpp"
+#include "mesh/card_strip.hpp"
 
 #include <vector>
 
@@ -8,8 +9,9 @@ namespace undergrowth {
 
 enum class CardShape {
 	flat, ///< Along the midrib of its carrier, in the plane of the carrier: fronds, feathered leaves.
+	leaf, ///< At the tip of its carrier, in the plane of the carrier: palmate leaves.
 	strip, ///< Along an axis, turned about it to the camera: ears, spikes, panicles.
-	ball, ///< Turned to the camera in both directions: round heads.
+	head, ///< Turned to the camera in both directions, with pictures from several heights: flowers, umbels, balls.
 };
 
 /// Parts that one picture replaces: parts of some kinds on carriers of one kind, and everything on these parts. Kinds
@@ -18,14 +20,15 @@ struct CardGroup {
 	int carrier_kind = 0;
 	std::vector<int> carried; ///< Kinds of the parts on the carrier, ascending.
 	CardShape shape = CardShape::flat;
-	bool has_cap = false; ///< True if a second picture shows it from above.
+
+	int layers() const { return shape == CardShape::head ? HEAD_VIEW_COUNT : 1; }
 };
 
 /// Extent of the parts of a card along its axis and across it (m).
 struct CardExtent {
 	float low = 0.0f; ///< Along the axis, from its origin.
 	float high = 0.0f;
-	float half = 0.0f; ///< Largest distance across.
+	float half = 0.0f; ///< Largest distance across; of heads, from the axis.
 
 	bool is_empty() const { return !(high > low) || !(half > 0.0f); }
 };

@@ -153,17 +153,17 @@ void fill_holes(std::vector<Mip> &mips) {
 	}
 }
 
-} // namespace
-
-void write_layer(const CardPicture &picture, CardLayer &layer) {
+std::vector<Mip> mips_of(const CardPicture &picture) {
 	std::vector<Mip> mips = { first_mip(picture) };
 	while (mips.back().size() > 1) {
 		mips.push_back(halved(mips.back()));
 	}
+	return mips;
+}
+
+/// `mean`: linear light that the colours are relative to.
+void write_layer(std::vector<Mip> &mips, const glm::vec3 &mean, CardLayer &layer) {
 	const float share = mips.back().coverage[0];
-	const glm::vec3 mean = share > 0.0f ? mips.back().light[0] * (1.0f / share) : glm::vec3(0.0f);
-	layer.color = { from_light(mean.x), from_light(mean.y), from_light(mean.z), 1.0f };
-	layer.leafiness = share > 0.0f ? mips.back().surface[0].w / share : 0.0f;
 	std::vector<float> scales;
 	for (const Mip &mip : mips) {
 		scales.push_back(alpha_scale(mip, share));
@@ -183,6 +183,28 @@ void write_layer(const CardPicture &picture, CardLayer &layer) {
 			layer.surfaces.push_back(byte_of(0.5f * surface.z));
 			layer.surfaces.push_back(byte_of(surface.w));
 		}
+	}
+}
+
+} // namespace
+
+void write_layers(const std::vector<CardPicture> &pictures, const std::vector<CardLayer *> &layers) {
+	std::vector<std::vector<Mip>> all;
+	glm::vec3 light(0.0f);
+	float leafiness = 0.0f, covered = 0.0f;
+	for (const CardPicture &picture : pictures) {
+		all.push_back(mips_of(picture));
+		const Mip &last = all.back().back();
+		light += last.light[0];
+		leafiness += last.surface[0].w;
+		covered += last.coverage[0];
+	}
+	const float share = covered > 0.0f ? 1.0f / covered : 0.0f;
+	for (size_t i = 0; i < layers.size(); i++) {
+		layers[i]->color = { from_light(light.x * share), from_light(light.y * share), from_light(light.z * share),
+			1.0f };
+		layers[i]->leafiness = leafiness * share;
+		write_layer(all[i], light * share, *layers[i]);
 	}
 }
 

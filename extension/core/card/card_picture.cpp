@@ -42,8 +42,7 @@ glm::vec2 normal_of(const Corner &a, const Corner &b, const Corner &c) {
 /// All parts of a card at full detail, flattened.
 class FlatParts {
 public:
-	FlatParts(const PlantForm &p_form, const CardAxis &p_axis, bool p_from_above) :
-			form(p_form), axis(p_axis), from_above(p_from_above) {}
+	FlatParts(const PlantForm &p_form, const CardAxis &p_axis) : form(p_form), axis(p_axis) {}
 
 	void add(const PlacedPart &placed) {
 		const Part &part = form.parts[static_cast<size_t>(placed.kind)];
@@ -60,7 +59,7 @@ public:
 			const glm::vec3 point = placed.base +
 					PlantForm::turned(
 							placed.axes, vertex.point.middle * placed.length + vertex.point.aside * placed.width);
-			const FlatPoint flat = from_above ? axis.from_above(point) : axis.flatten(point);
+			const FlatPoint flat = axis.flatten(point);
 			corners.push_back({ flat.across, flat.along, flat.depth });
 		}
 		for (size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
@@ -72,14 +71,14 @@ public:
 				triangle.corners[k] = corners[at];
 				triangle.light += glm::vec3(to_light(color.x), to_light(color.y), to_light(color.z)) * (1.0f / 3.0f);
 			}
-			triangle.normal = normal_of(triangle.corners[0], triangle.corners[1], triangle.corners[2]);
 			triangle.leafiness = part.translucency;
 			triangles.push_back(triangle);
 		}
 	}
 
-	CardBox box(int width, int height) const {
-		CardBox box = { 1e9f, -1e9f, 0.0f };
+	/// Extents of the corners.
+	CardBox box() const {
+		CardBox box = { 1e9f, -1e9f, MIN_SIZE };
 		for (const CardTriangle &triangle : triangles) {
 			for (const Corner &corner : triangle.corners) {
 				box.low = std::min(box.low, corner.y);
@@ -87,19 +86,20 @@ public:
 				box.half = std::max(box.half, std::abs(corner.x));
 			}
 		}
-		if (from_above) {
-			box.half = std::max({ box.half, std::abs(box.low), std::abs(box.high) });
-			box.low = -box.half;
-			box.high = box.half;
-		}
-		// A border of one texel.
-		const float middle = 0.5f * (box.low + box.high);
-		const float rise = 0.5f * std::max(box.high - box.low, MIN_SIZE) * static_cast<float>(height) /
-				static_cast<float>(height - 2);
-		box.half = std::max(box.half, MIN_SIZE) * static_cast<float>(width) / static_cast<float>(width - 2);
-		box.low = middle - rise;
-		box.high = middle + rise;
 		return box;
+	}
+
+	/// The same parts from another height, `middle` m along the axis.
+	std::vector<CardTriangle> seen_from(float sine, float middle) const {
+		const float cosine = std::sqrt(std::max(1.0f - sine * sine, 0.0f));
+		std::vector<CardTriangle> turned = triangles;
+		for (CardTriangle &triangle : turned) {
+			for (Corner &corner : triangle.corners) {
+				const float along = corner.y - middle;
+				corner = { corner.x, along * cosine - corner.depth * sine, along * sine + corner.depth * cosine };
+			}
+		}
+		return turned;
 	}
 
 	std::vector<CardTriangle> triangles;
@@ -107,7 +107,6 @@ public:
 private:
 	const PlantForm &form;
 	const CardAxis &axis;
-	const bool from_above;
 	std::map<int, PartTemplate> shapes; ///< By kind.
 
 	PartTemplate make(const PlacedPart &placed, const Part &part) const {
@@ -211,31 +210,102 @@ CardTexel resolve(const Samples &samples, const std::vector<CardTriangle> &trian
 	return texel;
 }
 
+CardBox bordered(CardBox box, int width, int height) {
+	const float middle = 0.5f * (box.low + box.high);
+	const float rise =
+			0.5f * std::max(box.high - box.low, MIN_SIZE) * static_cast<float>(height) / static_cast<float>(height - 2);
+	return { middle - rise, middle + rise, box.half * static_cast<float>(width) / static_cast<float>(width - 2) };
+}
+
+/// The smallest edge that is not below these heights, by view. It touches two of them.
+glm::vec2 enclosing_edge(const float (&heights)[HEAD_VIEW_COUNT]) {
+	glm::vec2 best(0.0f);
+	float least = 1e9f;
+	for (int i = 0; i < HEAD_VIEW_COUNT; i++) {
+		const int k = (i + 1) % HEAD_VIEW_COUNT;
+		const glm::vec2 one(head_edge({ 1.0f, 0.0f }, HEAD_VIEWS[i]), head_edge({ 0.0f, 1.0f }, HEAD_VIEWS[i]));
+		const glm::vec2 other(head_edge({ 1.0f, 0.0f }, HEAD_VIEWS[k]), head_edge({ 0.0f, 1.0f }, HEAD_VIEWS[k]));
+		const float twice = one.x * other.y - other.x * one.y;
+		const glm::vec2 edge((heights[i] * other.y - heights[k] * one.y) / twice,
+				(one.x * heights[k] - other.x * heights[i]) / twice);
+		float sum = 0.0f;
+		for (int view = 0; view < HEAD_VIEW_COUNT; view++) {
+			const float above = head_edge(edge, HEAD_VIEWS[view]) - heights[view];
+			sum += above > -MIN_SIZE ? above : 1e9f;
+		}
+		if (sum < least) {
+			least = sum;
+			best = edge;
+		}
+	}
+	return best;
+}
+
+/// With the border of the pictures.
+HeadOutline outline_of(const FlatParts &parts, int width, int height) {
+	const CardBox box = parts.box();
+	HeadOutline outline;
+	outline.middle = 0.5f * (box.low + box.high);
+	float lows[HEAD_VIEW_COUNT], highs[HEAD_VIEW_COUNT];
+	for (int view = 0; view < HEAD_VIEW_COUNT; view++) {
+		lows[view] = highs[view] = -1e9f;
+		for (const CardTriangle &triangle : parts.seen_from(HEAD_VIEWS[view], outline.middle)) {
+			for (const Corner &corner : triangle.corners) {
+				lows[view] = std::max(lows[view], -corner.y);
+				highs[view] = std::max(highs[view], corner.y);
+			}
+		}
+	}
+	const glm::vec2 low = enclosing_edge(lows) * -1.0f;
+	const glm::vec2 high = enclosing_edge(highs);
+	const glm::vec2 rise = (high - low) * (0.5f * static_cast<float>(height) / static_cast<float>(height - 2));
+	outline.low = (low + high) * 0.5f - rise;
+	outline.high = (low + high) * 0.5f + rise;
+	outline.half = box.half * static_cast<float>(width) / static_cast<float>(width - 2);
+	return outline;
+}
+
+CardPicture draw(std::vector<CardTriangle> triangles, const CardBox &box, int width, int height) {
+	CardPicture picture;
+	picture.width = width;
+	picture.height = height;
+	picture.box = box;
+	Samples samples(SAMPLES * width, SAMPLES * height, box);
+	for (size_t i = 0; i < triangles.size(); i++) {
+		const Corner(&corners)[3] = triangles[i].corners;
+		triangles[i].normal = normal_of(corners[0], corners[1], corners[2]);
+		samples.draw(triangles[i], static_cast<int>(i));
+	}
+	for (int row = 0; row < height; row++) {
+		for (int column = 0; column < width; column++) {
+			picture.texels.push_back(resolve(samples, triangles, column, row));
+		}
+	}
+	return picture;
+}
+
 } // namespace
 
-CardPicture draw_card(const PlantForm &form, const CardPlaces &all, int place, bool from_above, int width, int height) {
+std::vector<CardPicture> draw_card(const PlantForm &form, const CardPlaces &all, int place, CardShape shape, int width,
+		int height, HeadOutline &outline) {
 	const CardPlace &own = all.places[static_cast<size_t>(place)];
 	const CardAxis axis(form, own.carrier, own.from);
-	FlatParts parts(form, axis, from_above);
+	FlatParts parts(form, axis);
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		if (all.owners[i] == place) {
 			parts.add(form.placed[i]);
 		}
 	}
-	CardPicture picture;
-	picture.width = width;
-	picture.height = height;
-	picture.box = parts.box(width, height);
-	Samples samples(SAMPLES * width, SAMPLES * height, picture.box);
-	for (size_t i = 0; i < parts.triangles.size(); i++) {
-		samples.draw(parts.triangles[i], static_cast<int>(i));
+	if (shape != CardShape::head) {
+		return { draw(parts.triangles, bordered(parts.box(), width, height), width, height) };
 	}
-	for (int row = 0; row < height; row++) {
-		for (int column = 0; column < width; column++) {
-			picture.texels.push_back(resolve(samples, parts.triangles, column, row));
-		}
+	outline = outline_of(parts, width, height);
+	std::vector<CardPicture> pictures;
+	for (const float sine : HEAD_VIEWS) {
+		const CardBox box = { head_edge(outline.low, sine), head_edge(outline.high, sine), outline.half };
+		pictures.push_back(draw(parts.seen_from(sine, outline.middle), box, width, height));
 	}
-	return picture;
+	return pictures;
 }
 
 } // namespace undergrowth

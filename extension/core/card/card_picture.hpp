@@ -26,7 +26,15 @@ struct CardTexel {
 	float leafiness = 0.0f;
 };
 
-/// The picture of the parts of one card, from its own uncut geometry. The same bytes on all platforms.
+/// The edges of a head in all of its pictures (m): of a solid of revolution with a lower and an upper rim.
+struct HeadOutline {
+	float middle = 0.0f; ///< Along the axis, from its origin.
+	float half = 0.0f; ///< Largest distance across.
+	glm::vec2 low = glm::vec2(0.0f); ///< See head_edge(). Along the axis from the middle.
+	glm::vec2 high = glm::vec2(0.0f);
+};
+
+/// The pictures of the parts of one card, from its own uncut geometry. The same bytes on all platforms.
 struct CardPicture {
 	int width = 0;
 	int height = 0;
@@ -34,7 +42,9 @@ struct CardPicture {
 	std::vector<CardTexel> texels; ///< Row by row, from the tip to the base.
 };
 
-/// Draws all parts of a place with 6 by 6 samples per texel, the nearest in front. A border of one texel stays empty.
-CardPicture draw_card(const PlantForm &form, const CardPlaces &all, int place, bool from_above, int width, int height);
+/// Draws the pictures of all parts of a place with 6 by 6 samples per texel, the nearest in front: one, or those of a
+/// head, and its `outline`. A border of one texel stays empty.
+std::vector<CardPicture> draw_card(const PlantForm &form, const CardPlaces &all, int place, CardShape shape, int width,
+		int height, HeadOutline &outline);
 
 } // namespace undergrowth

@@ -11,7 +11,7 @@ namespace {
 struct LayerSize {
 	int width, height;
 };
-constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 64, 128 }, { 64, 64 } };
+constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 64, 128 }, { 64, 64 }, { 32, 64 } };
 constexpr int BYTES_OF_TEXEL = 8; // Of both textures.
 
 /// Returns the place of a group with the largest number of parts.
@@ -42,24 +42,24 @@ std::vector<glm::vec2> edges_of(const CardPicture &picture) {
 	return edges;
 }
 
-float mean_depth(const CardPicture &picture) {
-	double sum = 0.0, weight = 0.0;
-	for (const CardTexel &texel : picture.texels) {
-		sum += static_cast<double>(texel.depth * texel.coverage);
-		weight += static_cast<double>(texel.coverage);
+void add_layers(const PlantForm &form, const CardPlaces &all, int place, CardShape shape, CardSheet &sheet) {
+	HeadOutline outline;
+	const std::vector<CardPicture> pictures = draw_card(form, all, place, shape, sheet.width, sheet.height, outline);
+	std::vector<CardLayer> made;
+	for (const CardPicture &picture : pictures) {
+		CardLayer layer;
+		layer.box = picture.box;
+		layer.extent = all.places[static_cast<size_t>(place)].extent;
+		layer.head = outline;
+		layer.edges = edges_of(picture);
+		made.push_back(layer);
 	}
-	return weight > 0.0 ? static_cast<float>(sum / weight) : 0.0f;
-}
-
-CardLayer make_layer(const PlantForm &form, const CardPlaces &all, int place, bool from_above, const CardSheet &sheet) {
-	const CardPicture picture = draw_card(form, all, place, from_above, sheet.width, sheet.height);
-	CardLayer layer;
-	layer.box = picture.box;
-	layer.extent = all.places[static_cast<size_t>(place)].extent;
-	layer.top = from_above ? mean_depth(picture) : 0.0f;
-	layer.edges = edges_of(picture);
-	write_layer(picture, layer);
-	return layer;
+	std::vector<CardLayer *> layers;
+	for (CardLayer &layer : made) {
+		layers.push_back(&layer);
+	}
+	write_layers(pictures, layers);
+	sheet.pictures.insert(sheet.pictures.end(), made.begin(), made.end());
 }
 
 } // namespace
@@ -94,7 +94,7 @@ CardSheet make_card_sheet(const PlantForm &form) {
 			sheet.groups.push_back(found[g]);
 			sheet.layers.push_back(layers);
 			shown.push_back(place);
-			layers += found[g].has_cap ? 2 : 1;
+			layers += found[g].layers();
 		}
 	}
 	if (layers == 0) {
@@ -109,10 +109,7 @@ CardSheet make_card_sheet(const PlantForm &form) {
 		}
 	}
 	for (size_t i = 0; i < shown.size(); i++) {
-		sheet.pictures.push_back(make_layer(form, all, shown[i], false, sheet));
-		if (sheet.groups[i].has_cap) {
-			sheet.pictures.push_back(make_layer(form, all, shown[i], true, sheet));
-		}
+		add_layers(form, all, shown[i], sheet.groups[i].shape, sheet);
 	}
 	return sheet;
 }

@@ -12,9 +12,9 @@ namespace undergrowth {
 struct CardLayer {
 	CardBox box; ///< Of the place that the picture shows.
 	CardExtent extent; ///< Of the same place: other places scale the box by their own extent.
-	glm::vec4 color = glm::vec4(0.0f); ///< Mean visible colour (sRGB).
+	glm::vec4 color = glm::vec4(0.0f); ///< Mean visible colour (sRGB) of its group.
 	float leafiness = 0.0f;
-	float top = 0.0f; ///< Pictures from above: mean position along the axis (m).
+	HeadOutline head; ///< Of heads.
 	/// Covered columns, by row of texels from base to tip: from -1 to 1 across the box. Left > right: empty.
 	std::vector<glm::vec2> edges;
 	/// RGBA8 with all mipmaps. Colour relative to the mean, in linear light: (2·byte/255)². a: coverage.
@@ -29,7 +29,7 @@ struct CardSheet {
 	int width = 0; ///< Texels of each layer.
 	int height = 0;
 	std::vector<CardGroup> groups;
-	std::vector<int> layers; ///< By group: its first layer; one from above follows if the group has a cap.
+	std::vector<int> layers; ///< By group: its first layer.
 	std::vector<CardLayer> pictures; ///< By layer.
 
 	bool is_empty() const { return pictures.empty(); }

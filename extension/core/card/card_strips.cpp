@@ -6,17 +6,18 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace undergrowth {
 
 namespace {
 
 constexpr float LONG_FROM = 0.5f; // Offset: cards from here on are heads.
-constexpr float MAX_DISC = 0.45f; // Length over width of heads whose picture from above is drawn from all sides.
 constexpr float MARGIN = 0.02f; // Of the rows of a picture.
+constexpr float MAX_LARGER = 1.3f;
 
 int rows_of(const CardGroup &group, const CardPlace &place, const CardRows &rows) {
-	if (group.shape == CardShape::ball) {
+	if (group.shape == CardShape::head || group.shape == CardShape::leaf) {
 		return 2;
 	}
 	return place.from > LONG_FROM ? rows.of_head : rows.of_carrier;
@@ -51,26 +52,25 @@ glm::vec2 covered_rows(const CardLayer &layer) {
 /// Makes the cards of one place.
 class StripMaker {
 public:
-	StripMaker(const CardForm &p_form, const CardSheet &p_sheet, const DrawnAttachments &p_drawn, size_t place) :
+	/// `larger`: factor of the size of heads.
+	StripMaker(const CardForm &p_form, const CardSheet &p_sheet, const DrawnAttachments &p_drawn, size_t place,
+			float p_larger) :
 			form(p_form),
 			sheet(p_sheet),
 			drawn(p_drawn),
 			own(p_form.places[place]),
 			grown(p_form.attachments[place]),
 			part(p_form.rest.placed[static_cast<size_t>(own.carrier)]),
-			layer(sheet.pictures[static_cast<size_t>(layer_of(own.group))]) {
+			layer(sheet.pictures[static_cast<size_t>(layer_of(own.group))]),
+			larger(p_larger) {
 		across = own.extent.half / layer.extent.half;
 		lengthwise = (own.extent.high - own.extent.low) / (layer.extent.high - layer.extent.low);
 	}
 
 	CardStrip make_strip(int rows) const {
-		const CardShape shape = sheet.groups[static_cast<size_t>(own.group)].shape;
-		const CardTurn turn = shape == CardShape::flat				   ? CardTurn::fixed
-				: sheet.groups[static_cast<size_t>(own.group)].has_cap ? CardTurn::side
-																	   : CardTurn::turned;
-		CardStrip strip = begin(layer, layer_of(own.group), turn);
+		const bool is_flat = sheet.groups[static_cast<size_t>(own.group)].shape != CardShape::strip;
+		CardStrip strip = begin(is_flat ? CardTurn::fixed : CardTurn::turned);
 		const glm::vec2 covered = covered_rows(layer);
-		const glm::vec3 centre = shape == CardShape::ball ? row_at(along_of(0.5f)).middle : glm::vec3(0.0f);
 		for (int i = 0; i < rows; i++) {
 			const float step = 1.0f / static_cast<float>(rows - 1);
 			const float way = covered.x + (covered.y - covered.x) * step * static_cast<float>(i);
@@ -79,15 +79,9 @@ public:
 			CardStrip::Row row = row_at(along_of(way));
 			const PartAxes axes = axes_at(along_of(way));
 			const float half = layer.box.half * across;
-			glm::vec3 beside(0.0f);
-			if (shape == CardShape::ball) {
-				beside = row.middle - centre;
-				row = row_at(along_of(0.5f));
-				row.middle = centre;
-			}
-			row.left = axes.x * (edge.x * half) + beside;
-			row.right = axes.x * (edge.y * half) + beside;
-			row.normal = shape == CardShape::flat ? axes.outward * -1.0f : axes.along;
+			row.left = axes.x * (edge.x * half);
+			row.right = axes.x * (edge.y * half);
+			row.normal = is_flat ? axes.outward * -1.0f : axes.along;
 			row.left_uv = { 0.5f + 0.5f * edge.x, 1.0f - way };
 			row.right_uv = { 0.5f + 0.5f * edge.y, 1.0f - way };
 			strip.rows.push_back(row);
@@ -95,23 +89,22 @@ public:
 		return strip;
 	}
 
-	/// The picture from above, across the axis.
-	CardStrip make_cap() const {
-		const int number = layer_of(own.group) + 1;
-		const CardLayer &picture = sheet.pictures[static_cast<size_t>(number)];
-		const bool is_disc = layer.extent.high - layer.extent.low < MAX_DISC * 2.0f * layer.extent.half;
-		CardStrip strip = begin(picture, number, is_disc ? CardTurn::fixed : CardTurn::cap);
-		const float top = own.extent.low + (picture.top - layer.extent.low) * lengthwise;
-		const PartAxes axes = axes_at(top);
-		const float half = picture.box.half * across;
-		for (const float side : { -1.0f, 1.0f }) {
-			CardStrip::Row row = row_at(top);
-			row.left = axes.x * -half + axes.outward * (side * half);
-			row.right = axes.x * half + axes.outward * (side * half);
+	/// The pictures of a head from all heights, about its middle.
+	CardStrip make_head() const {
+		CardStrip strip = begin(CardTurn::head);
+		const HeadOutline &head = layer.head;
+		const float middle = own.extent.low + (head.middle - layer.extent.low) * lengthwise;
+		const PartAxes axes = axes_at(middle);
+		for (const glm::vec2 &edge : { head.low, head.high }) {
+			CardStrip::Row row = row_at(middle);
+			const glm::vec3 rise = axes.along * (edge.x * lengthwise) + axes.outward * (edge.y * across);
+			row.left = (rise - axes.x * (head.half * across)) * larger;
+			row.right = (rise + axes.x * (head.half * across)) * larger;
 			row.normal = axes.along;
 			row.along = axes.outward;
-			row.left_uv = { 0.0f, 0.5f - 0.5f * side };
-			row.right_uv = { 1.0f, 0.5f - 0.5f * side };
+			const float v = edge == head.low ? 1.0f : 0.0f;
+			row.left_uv = { 0.0f, v };
+			row.right_uv = { 1.0f, v };
 			strip.rows.push_back(row);
 		}
 		return strip;
@@ -125,6 +118,7 @@ private:
 	const PartAttachment &grown;
 	const PlacedPart &part;
 	const CardLayer &layer;
+	const float larger;
 	float across, lengthwise; ///< Of the place, relative to the picture.
 
 	int layer_of(int group) const { return sheet.layers[static_cast<size_t>(group)]; }
@@ -135,12 +129,12 @@ private:
 	}
 	float offset_of(float along) const { return own.from + along / part.length; }
 
-	CardStrip begin(const CardLayer &picture, int number, CardTurn turn) const {
+	CardStrip begin(CardTurn turn) const {
 		CardStrip strip;
-		strip.color = picture.color;
-		strip.leafiness = picture.leafiness;
+		strip.color = layer.color;
+		strip.leafiness = layer.leafiness;
 		strip.tint = part.tint;
-		strip.layer = number;
+		strip.layer = layer_of(own.group);
 		strip.turn = turn;
 		return strip;
 	}
@@ -169,28 +163,45 @@ private:
 	}
 };
 
+/// By group: factor of the size of heads, which then cover as much as all heads, also those on carriers that are not
+/// drawn.
+std::vector<float> enlargements(const CardForm &form, const CardSheet &sheet, const FormPlan &plan) {
+	std::vector<float> all(sheet.groups.size(), 0.0f);
+	std::vector<float> drawn = all;
+	for (const CardPlace &place : form.places) {
+		const float area = place.extent.half * place.extent.half;
+		all[static_cast<size_t>(place.group)] += area;
+		if (plan.fates[static_cast<size_t>(place.carrier)] == FormPlan::drawn) {
+			drawn[static_cast<size_t>(place.group)] += area;
+		}
+	}
+	for (size_t i = 0; i < all.size(); i++) {
+		all[i] = drawn[i] > 0.0f ? std::min(std::sqrt(all[i] / drawn[i]), MAX_LARGER) : 1.0f;
+	}
+	return all;
+}
+
 } // namespace
 
 int count_card(const CardSheet &sheet, const CardPlace &place, const CardRows &rows) {
 	const CardGroup &group = sheet.groups[static_cast<size_t>(place.group)];
-	return 2 * rows_of(group, place, rows) + (group.has_cap ? 4 : 0);
+	return 2 * rows_of(group, place, rows);
 }
 
 std::vector<CardStrip> make_strips(
 		const CardForm &form, const CardSheet &sheet, const FormPlan &plan, const CardRows &rows) {
 	std::vector<CardStrip> strips;
 	const DrawnAttachments drawn(form.rest, plan, form.measure.attachments);
+	const std::vector<float> larger = enlargements(form, sheet, plan);
 	for (size_t i = 0; i < form.places.size(); i++) {
 		const CardPlace &place = form.places[i];
 		if (plan.fates[static_cast<size_t>(place.carrier)] != FormPlan::drawn) {
 			continue;
 		}
-		const StripMaker maker(form, sheet, drawn, i);
+		const StripMaker maker(form, sheet, drawn, i, larger[static_cast<size_t>(place.group)]);
 		const CardGroup &group = sheet.groups[static_cast<size_t>(place.group)];
-		strips.push_back(maker.make_strip(rows_of(group, place, rows)));
-		if (group.has_cap) {
-			strips.push_back(maker.make_cap());
-		}
+		const bool is_head = group.shape == CardShape::head;
+		strips.push_back(is_head ? maker.make_head() : maker.make_strip(rows_of(group, place, rows)));
 	}
 	return strips;
 }

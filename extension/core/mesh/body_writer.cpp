@@ -43,7 +43,7 @@ void FormWriter::add_body(const FormBody &body) {
 		for (int side = 0; side < body.detail.sides; side++) {
 			const float turn = static_cast<float>(side) / static_cast<float>(body.detail.sides);
 			const glm::vec3 outward = turn_into(ring.axes, static_cast<float>(-2.0 * PI * turn), 0.0f).outward;
-			put(common, ring.middle, outward * ring.radius, slope_normal(body, i, outward), ring.axes.along, body.color,
+			put(common, ring.middle, outward * ring.radius, slope_normal(body, i, outward), ring.axes.along, ring.color,
 					{ turn, v }, 1.0f - v);
 		}
 		const int begin = vertices - first - body.detail.sides;
@@ -52,7 +52,7 @@ void FormWriter::add_body(const FormBody &body) {
 		}
 	}
 	const auto pole = [&](const FormBody::Ring &ring, float facing) {
-		put(common_of(ring), ring.middle, glm::vec3(0.0f), ring.axes.along * facing, ring.axes.x, body.color,
+		put(common_of(ring), ring.middle, glm::vec3(0.0f), ring.axes.along * facing, ring.axes.x, ring.color,
 				{ 0.5f, 0.5f - 0.5f * facing }, 0.5f + 0.5f * facing);
 		return vertices - first - 1;
 	};

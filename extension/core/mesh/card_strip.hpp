@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace undergrowth {
@@ -13,19 +15,39 @@ namespace undergrowth {
 /// How a card is turned. The whole part of CUSTOM0.z contains it (mesh/vertex_format.hpp).
 enum class CardTurn {
 	fixed, ///< As written.
-	turned, ///< About its axis to the camera, and in a ball also towards it.
-	cap, ///< As written, but drawn only from above.
-	side, ///< Turned, and narrower where its cap is drawn.
+	turned, ///< About its axis to the camera.
+	head, ///< To the camera, with pictures from several heights (HEAD_VIEWS).
 };
+
+/// Heights of the camera of the pictures of a head: sines of the angle above the plane across its axis, ascending.
+/// Cards blend two of them. undergrowth_card.gdshaderinc has the same.
+inline constexpr float HEAD_VIEWS[] = { -0.17f, 0.42f, 0.9f };
+inline constexpr int HEAD_VIEW_COUNT = 3;
+
+/// Returns the picture for this height of the camera, from 0 to HEAD_VIEW_COUNT - 1. Its fraction is the share of the
+/// next picture.
+inline float head_picture(float sine) {
+	const float low = (sine - HEAD_VIEWS[0]) / (HEAD_VIEWS[1] - HEAD_VIEWS[0]);
+	const float high = (sine - HEAD_VIEWS[1]) / (HEAD_VIEWS[2] - HEAD_VIEWS[1]);
+	return std::clamp(low, 0.0f, 1.0f) + std::clamp(high, 0.0f, 1.0f);
+}
+
+/// Returns the height of the edge of a head in its picture (m). `edge`: m along its axis and away from it. Of all
+/// solids of revolution with such an edge.
+inline float head_edge(const glm::vec2 &edge, float sine) {
+	return edge.x * std::sqrt(std::max(1.0f - sine * sine, 0.0f)) + edge.y * std::abs(sine);
+}
 
 /// A textured strip of quads in place of many small parts (card/card_sheet.hpp).
 struct CardStrip {
 	struct Row {
-		glm::vec3 middle = glm::vec3(0.0f); ///< m, on the axis. In balls and caps: the centre, in all rows.
-		glm::vec3 left = glm::vec3(0.0f); ///< m from there to the vertex.
+		glm::vec3 middle = glm::vec3(0.0f); ///< m, on the axis. In heads: the centre, in both rows.
+		/// m from there to the vertex. In heads: across, and the edge of the row (head_edge) along the axis and
+		/// `along`.
+		glm::vec3 left = glm::vec3(0.0f);
 		glm::vec3 right = glm::vec3(0.0f);
 		glm::vec3 normal = glm::vec3(0.0f); ///< Of fixed strips; of all others the axis.
-		glm::vec3 along = glm::vec3(0.0f); ///< From base to tip.
+		glm::vec3 along = glm::vec3(0.0f); ///< From base to tip. In heads: a direction across the axis.
 		glm::vec2 left_uv = glm::vec2(0.0f);
 		glm::vec2 right_uv = glm::vec2(0.0f);
 		float offset = 0.0f; ///< On the part with the attachment.

@@ -23,6 +23,18 @@ constexpr float MAX_RISE = 0.6f; // Fraction of a flat whorl's radius.
 constexpr float MIN_RADIUS_SHARE = 0.4f; // Fraction of a lathe's radius.
 constexpr float MAX_STOUTNESS = 0.4f; // Silhouette of a spindle, as a fraction of its squared length.
 constexpr float MIN_RADIUS = 1e-4f; // m.
+constexpr float MIN_END = 0.1f; // Fraction of a spindle's length between its widest ring and an end.
+constexpr float EVEN_LENGTH = 3.4641f; // Length of an even rod over the standard deviation of its points.
+constexpr float MIN_SPREAD = 0.35f; // Of broad bodies, as a fraction of that length.
+constexpr float MIN_TOP = 0.6f; // Mean height of their area, as a fraction of their length.
+constexpr float DISC_RADIUS = 1.4142f; // Radius of an even disc over its root mean square.
+
+/// A third of the area of a part (m²).
+struct ColoredArea {
+	float along;
+	float area;
+	glm::vec4 color;
+};
 
 /// Measures of a body's parts in its own axes.
 struct Measure {
@@ -31,9 +43,11 @@ struct Measure {
 	float farthest = 0.0f;
 	float area = 0.0f; ///< Area of parts (m²).
 	float shown = 0.0f; ///< Silhouette without occlusion (m²).
-	glm::vec3 squares = glm::vec3(0.0f);
-	float alpha = 0.0f;
+	double moment = 0.0; ///< Area times the distance along the axis.
+	double moment_2 = 0.0; ///< Area times the squared distance along the axis.
+	double spread = 0.0; ///< Area times the squared distance from the axis.
 	float shine = 0.0f;
+	std::vector<ColoredArea> areas;
 	// Means over the parts that are attached to the carrier itself:
 	float along[PLACES] = {};
 	float away[PLACES] = {};
@@ -81,6 +95,7 @@ void add(
 	const size_t group = static_cast<size_t>(placed.group);
 	const bool is_own = placed.group == body.group;
 	const Origin origin = origin_of(body, form, placed);
+	const float area = placed.length * placed.width * measure.mean_widths[static_cast<size_t>(placed.kind)];
 	for (int i = 0; i < PLACES; i++) {
 		const OwnPlace own = place_from(origin, form.point_of(placed, 0.5f * static_cast<float>(i)));
 		m.low = std::min(m.low, own.along);
@@ -88,14 +103,15 @@ void add(
 		m.farthest = std::max(m.farthest, own.away);
 		m.along[i] += is_own ? own.along : 0.0f;
 		m.away[i] += is_own ? own.away : 0.0f;
+		m.moment += static_cast<double>(area * own.along / PLACES);
+		m.moment_2 += static_cast<double>(area * own.along * own.along / PLACES);
+		m.spread += static_cast<double>(area * own.away * own.away / PLACES);
+		m.areas.push_back({ own.along, area / PLACES, color });
 	}
-	const float area = placed.length * placed.width * measure.mean_widths[static_cast<size_t>(placed.kind)];
 	m.count += is_own ? 1 : 0;
 	m.lid += is_own ? area : 0.0f;
 	m.area += area;
 	m.shown += measure.shown[group] / static_cast<float>(form.groups[group].count);
-	m.squares += glm::vec3(color) * glm::vec3(color) * area;
-	m.alpha += color.w * area;
 	m.shine += part.translucency * area;
 }
 
@@ -171,12 +187,64 @@ void shape_lathe(FormBody &body, const Measure &m) {
 	thicken(body, m);
 }
 
+/// Radius of an even disc of the same spread (m).
+float spread_of(const Measure &m) {
+	const double area = std::max(static_cast<double>(m.area), 1e-12);
+	return std::min(DISC_RADIUS * std::sqrt(static_cast<float>(m.spread / area)), std::max(m.farthest, MIN_RADIUS));
+}
+
+/// True if its parts spread and most of their area is near the top, as in umbels.
+bool is_broad(const Measure &m) {
+	const double area = std::max(static_cast<double>(m.area), 1e-12);
+	const double mean = m.moment / area;
+	const float variance = static_cast<float>(m.moment_2 / area - mean * mean);
+	const float length = EVEN_LENGTH * std::sqrt(std::max(variance, 0.0f));
+	return static_cast<float>(mean) > m.low + MIN_TOP * (m.high - m.low) && spread_of(m) > MIN_SPREAD * length;
+}
+
+/// A broad one keeps the radius of its parts and is shorter, so that an umbel is flat. It is widest where most of their
+/// area is. All others keep their length. The area from the side is the same.
 void shape_spindle(FormBody &body, const Measure &m) {
 	const float length = std::max(m.high - m.low, MIN_RADIUS);
 	const float farthest = std::max(m.farthest, MIN_RADIUS);
 	body.shown = covered(m.shown, 2.0f * farthest * length);
-	body.rings = { { m.low, 0.0f }, { 0.5f * (m.low + m.high), body.shown / length }, { m.high, 0.0f } };
 	body.has_base = body.has_tip = true;
+	if (!is_broad(m)) {
+		body.rings = { { m.low, 0.0f }, { 0.5f * (m.low + m.high), body.shown / length }, { m.high, 0.0f } };
+		return;
+	}
+	const float mean = static_cast<float>(m.moment / std::max(static_cast<double>(m.area), 1e-12));
+	const float middle = std::clamp(mean, m.low + MIN_END * length, m.high - MIN_END * length);
+	const float radius = std::max(spread_of(m), body.shown / length);
+	const float share = body.shown / (radius * length);
+	body.rings = { { middle - share * (middle - m.low), 0.0f }, { middle, radius },
+		{ middle + share * (m.high - middle), 0.0f } };
+}
+
+/// Mean colour of the parts below or above this height; of all parts without any there.
+glm::vec4 color_of(const Measure &m, float from, float to) {
+	glm::vec3 squares(0.0f);
+	float alpha = 0.0f, area = 0.0f;
+	for (const ColoredArea &own : m.areas) {
+		const float share = own.along >= from && own.along < to ? own.area : 1e-6f * own.area;
+		squares += glm::vec3(own.color) * glm::vec3(own.color) * share;
+		alpha += own.color.w * share;
+		area += share;
+	}
+	area = std::max(area, 1e-18f);
+	return glm::vec4(glm::sqrt(squares / area), alpha / area);
+}
+
+void color_rings(FormBody &body, const Measure &m) {
+	const bool is_divided = body.shown > 0.0f && is_broad(m);
+	const float middle = is_divided ? body.rings[1].along : 0.0f;
+	const glm::vec4 upper = color_of(m, is_divided ? middle : -1e9f, 1e9f);
+	for (FormBody::Ring &ring : body.rings) {
+		ring.color = upper;
+	}
+	if (is_divided) {
+		body.rings.front().color = color_of(m, -1e9f, middle);
+	}
 }
 
 /// Mean width of a circle from the side, relative to that of the polygon in it.
@@ -197,9 +265,8 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m) {
 	for (FormBody::Ring &ring : body.rings) {
 		ring.radius *= polygon_fill(body.detail.sides);
 	}
-	const float area = std::max(m.area, 1e-12f);
-	body.color = glm::vec4(glm::sqrt(m.squares / area), m.alpha / area);
-	body.translucency = m.shine / area;
+	color_rings(body, m);
+	body.translucency = m.shine / std::max(m.area, 1e-12f);
 }
 
 /// Lengthens a spindle towards the base of its carrier, so that it is not a plate. Such a spindle also replaces bodies

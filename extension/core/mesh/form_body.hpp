@@ -12,11 +12,13 @@ namespace undergrowth {
 
 /// One body that replaces all parts of a group on one carrier, and everything on these parts, at a distance. A disc
 /// becomes a dome, a whorl the lathe of its midribs with a closed base, parts along an axis a spindle. It has the
-/// parts' mean colour and their size from the side.
+/// parts' mean colour and their size from the side. A broad spindle, as of an umbel, has the colours of the parts below
+/// and above its widest ring.
 struct FormBody {
 	struct Ring {
 		float along = 0.0f; ///< m along the axis from the origin, or along the carrier.
 		float radius = 0.0f; ///< m.
+		glm::vec4 color = glm::vec4(0.0f);
 		// Set by DrawnAttachments:
 		glm::vec3 middle = glm::vec3(0.0f); ///< m.
 		PartAxes axes = {};
@@ -32,7 +34,6 @@ struct FormBody {
 	std::vector<Ring> rings;
 	bool has_base = false; ///< True if a pole closes it at the position of the first ring, with radius 0.
 	bool has_tip = false;
-	glm::vec4 color = glm::vec4(0.0f);
 	float translucency = 0.0f;
 	float shown = 0.0f; ///< Target area from the side (m²); 0: its own area.
 };

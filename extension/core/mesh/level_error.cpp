@@ -179,55 +179,64 @@ int code_of(const SeenCards &cards, int32_t vertex) {
 	return static_cast<int>(cards.custom0[vertex].z) - FIRST_CARD_CODE;
 }
 
-/// Positions with all cards turned to a view, as shaders turn them.
-std::vector<glm::vec3> turned_to(const SeenMesh &mesh, const SeenCards &cards, const Direction &way) {
-	constexpr float LOWEST_CAP = 0.35f; // Sines of the height of the camera: caps grow from here on,
-	constexpr float WHOLE_CAP = 0.6f; // up to here. undergrowth_card.gdshaderinc has the same.
-	const glm::vec3 eye = glm::cross(way.across, way.up);
-	std::vector<glm::vec3> points(mesh.positions, mesh.positions + mesh.vertex_count);
-	for (int i = 0; i < mesh.vertex_count; i++) {
-		const int code = code_of(cards, i);
-		if (code < 0 || code % CARD_CODES == static_cast<int>(CardTurn::fixed)) {
-			continue;
-		}
-		const glm::vec3 aside(cards.custom2[i]);
-		const glm::vec3 &axis = cards.normals[i];
-		const glm::vec3 middle = points[static_cast<size_t>(i)] - aside;
-		const float t = std::clamp((glm::dot(axis, eye) - LOWEST_CAP) / (WHOLE_CAP - LOWEST_CAP), 0.0f, 1.0f);
-		const float cap = t * t * (3.0f - 2.0f * t);
-		if (code % CARD_CODES == static_cast<int>(CardTurn::cap)) {
-			points[static_cast<size_t>(i)] = middle + aside * cap;
-			continue;
-		}
-		const float along = glm::dot(aside, axis);
-		const float width = code % CARD_CODES == static_cast<int>(CardTurn::side) ? 1.0f - cap : 1.0f;
-		const float across = glm::length(aside - axis * along) * (cards.uvs[i].x < 0.5f ? -width : width);
-		const glm::vec3 beside = glm::cross(eye, axis);
-		const glm::vec3 side = beside / std::max(glm::length(beside), 1e-6f);
-		points[static_cast<size_t>(i)] = middle + side * across + glm::cross(side, eye) * along;
-	}
-	return points;
-}
+/// Positions with all cards turned to a view, as shaders turn them, and the pictures of the cards.
+struct TurnedCards {
+	std::vector<glm::vec3> points;
+	std::vector<float> pictures; ///< By vertex: layer, with the share of the next one as its fraction; -1: no card.
 
-bool covers(const SeenCards &cards, int layer, const glm::vec2 &uv) {
+	TurnedCards(const SeenMesh &mesh, const SeenCards &cards, const Direction &way) :
+			points(mesh.positions, mesh.positions + mesh.vertex_count), pictures(points.size(), -1.0f) {
+		const glm::vec3 eye = glm::cross(way.across, way.up);
+		for (int i = 0; i < mesh.vertex_count; i++) {
+			const int code = code_of(cards, i);
+			if (code >= 0) {
+				pictures[static_cast<size_t>(i)] = static_cast<float>(code / CARD_CODES);
+			}
+			if (code < 0 || code % CARD_CODES == static_cast<int>(CardTurn::fixed)) {
+				continue;
+			}
+			const bool is_head = code % CARD_CODES == static_cast<int>(CardTurn::head);
+			const glm::vec3 aside(cards.custom2[i]);
+			const glm::vec3 &axis = cards.normals[i];
+			const glm::vec3 out(cards.tangents[i]);
+			const glm::vec3 beside = glm::cross(eye, axis);
+			const glm::vec3 side = beside / std::max(glm::length(beside), 1e-6f);
+			const glm::vec2 edge = is_head ? glm::vec2(glm::dot(aside, axis), glm::dot(aside, out)) : glm::vec2(0.0f);
+			const float reach = glm::length(aside - axis * edge.x - out * edge.y);
+			const float sine = glm::dot(axis, eye);
+			points[static_cast<size_t>(i)] += side * (cards.uvs[i].x < 0.5f ? -reach : reach) - aside;
+			if (is_head) {
+				points[static_cast<size_t>(i)] += glm::cross(side, eye) * head_edge(edge, sine);
+				pictures[static_cast<size_t>(i)] += head_picture(sine);
+			}
+		}
+	}
+};
+
+bool covers(const SeenCards &cards, float picture, const glm::vec2 &uv) {
 	const int x = std::clamp(static_cast<int>(uv.x * static_cast<float>(cards.width)), 0, cards.width - 1);
 	const int y = std::clamp(static_cast<int>(uv.y * static_cast<float>(cards.height)), 0, cards.height - 1);
-	return cards.layers[static_cast<size_t>(layer)][4 * (y * cards.width + x) + 3] >= 128;
+	const size_t layer = static_cast<size_t>(picture);
+	const float share = picture - static_cast<float>(layer);
+	const size_t at = static_cast<size_t>(4 * (y * cards.width + x) + 3);
+	const float alpha = static_cast<float>(cards.layers[layer][at]);
+	const float next = share > 0.0f ? static_cast<float>(cards.layers[layer + 1][at]) : alpha;
+	return alpha + (next - alpha) * share >= 128.0f;
 }
 
-void draw_cards(const SeenMesh &mesh, const SeenCards &cards, const std::vector<glm::vec2> &flat,
-		const glm::vec2 &corner, float dot, Picture &into) {
+void draw_cards(const SeenMesh &mesh, const SeenCards &cards, const std::vector<float> &pictures,
+		const std::vector<glm::vec2> &flat, const glm::vec2 &corner, float dot, Picture &into) {
 	for (int i = 0; i + 2 < mesh.index_count; i += 3) {
 		glm::vec2 corners[3], uvs[3];
 		for (int k = 0; k < 3; k++) {
 			corners[k] = (flat[static_cast<size_t>(mesh.indices[i + k])] - corner) / dot;
 			uvs[k] = cards.uvs[mesh.indices[i + k]];
 		}
-		const int code = code_of(cards, mesh.indices[i]);
-		if (code < 0) {
+		const float picture = pictures[static_cast<size_t>(mesh.indices[i])];
+		if (picture < 0.0f) {
 			into.draw(corners[0], corners[1], corners[2]);
 		} else {
-			into.draw_card(corners, uvs, [&](const glm::vec2 &uv) { return covers(cards, code / CARD_CODES, uv); });
+			into.draw_card(corners, uvs, [&](const glm::vec2 &uv) { return covers(cards, picture, uv); });
 		}
 	}
 }
@@ -323,9 +332,10 @@ float LevelError::measure(const SeenMesh &level, const SeenCards *cards) const {
 		const View &view = views[i];
 		Picture picture(view.columns, view.rows);
 		if (cards) {
-			const std::vector<glm::vec3> points = turned_to(level, *cards, DIRECTIONS[i]);
-			const SeenMesh turned = { points.data(), level.vertex_count, level.indices, level.index_count };
-			draw_cards(turned, *cards, project(turned, DIRECTIONS[i]), { view.left, view.low }, dot_size, picture);
+			const TurnedCards all(level, *cards, DIRECTIONS[i]);
+			const SeenMesh turned = { all.points.data(), level.vertex_count, level.indices, level.index_count };
+			draw_cards(turned, *cards, all.pictures, project(turned, DIRECTIONS[i]), { view.left, view.low }, dot_size,
+					picture);
 		} else {
 			draw_mesh(level, project(level, DIRECTIONS[i]), { view.left, view.low }, dot_size, picture);
 		}

@@ -12,6 +12,7 @@ namespace undergrowth {
 /// What the outline of a mesh with cards depends on besides its triangles; see mesh/vertex_format.hpp.
 struct SeenCards {
 	const glm::vec3 *normals = nullptr; ///< By vertex, as the following ones.
+	const glm::vec4 *tangents = nullptr;
 	const glm::vec2 *uvs = nullptr;
 	const glm::vec4 *custom0 = nullptr;
 	const glm::vec4 *custom2 = nullptr;

@@ -29,8 +29,8 @@ namespace undergrowth {
 //           z: rank, 0 to 0.999: the part is drawn if its rank is below the fraction of parts at a distance. Ranks are
 //              in golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
 //              Its whole part is the venation: 0 none, 1 parallel, 2 pinnate, 3 palmate, 4 radial. From 8 on the vertex
-//              belongs to a card: 8 + 4·layer + turn (mesh/card_strip.hpp), turn: 0 fixed, 1 turned to the camera, 2
-//              drawn only from above, 3 turned and narrower from above.
+//              belongs to a card: 8 + 4·layer + turn (mesh/card_strip.hpp), turn: 0 fixed, 1 turned about its axis, 2
+//              a head, turned to the camera, whose first layer this is.
 //           w: leafiness, 0 to 1: transmitted fraction of the light from behind.
 // CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
 //           of that swing, PartMotionCode::pace (plant/part_motion.hpp).
@@ -49,9 +49,10 @@ namespace undergrowth {
 //           weights of root and tip (mesh/joint_binding.hpp).
 //
 // Cards (card/card_sheet.hpp) have the attributes of the parts that they replace. UV is the place in the layer. COLOR
-// is the mean of these parts; the layer contains the colour relative to it. CUSTOM2.xyz of turned cards is written for
-// one direction of view: shaders keep its length along NORMAL and across it. NORMAL of cards with turns 1 to 3 is the
-// axis of the card, which bends like any normal.
+// is the mean of these parts; the layer contains the colour relative to it. NORMAL of cards with turns 1 and 2 is the
+// axis of the card, which bends like any normal. CUSTOM2.xyz of turned cards is written for one direction of view:
+// shaders keep its length across the axis. In heads its parts along NORMAL and along TANGENT are an edge (head_edge()
+// in mesh/card_strip.hpp), and VERTEX minus it is the middle of the head.
 //
 // A swing precedes the stem's bend. A point of weight y turns about the pivot by y times the tip's angle. It also moves
 // nearer to the pivot, by the amount that turns a straight blade into an arc of its own length. The tangent turns twice

@@ -22,12 +22,14 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 	TypedArray<Dictionary> listed;
 	for (const SpeciesStyle &style : setup.styles) {
 		PackedInt32Array segments;
+		PackedInt32Array variants;
 		PackedFloat32Array ends;
 		PackedFloat32Array errors;
 		PackedByteArray are_carded;
 		for (size_t i = 0; i < style.levels.size(); i++) {
 			if (style.levels[i].is_used) {
 				segments.push_back(style.segments_at(style.levels[i]));
+				variants.push_back(style.levels[i].groups(style.variant_count));
 				ends.push_back(style.levels[i].end);
 				errors.push_back(i < style.errors.size() ? style.errors[i] : 0.0f);
 				are_carded.push_back(style.is_carded(i) ? 1 : 0);
@@ -36,6 +38,7 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 		Dictionary one;
 		one["species"] = style.function;
 		one["segments"] = segments;
+		one["variants"] = variants;
 		one["ends"] = ends;
 		one["errors"] = errors;
 		one["are_carded"] = are_carded;

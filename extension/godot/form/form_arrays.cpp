@@ -5,6 +5,8 @@
 #include "mesh/joint_binding.hpp"
 #include "plants/part_skeleton.hpp"
 
+#include <algorithm>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -96,15 +98,18 @@ static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays 
 	return all;
 }
 
-// Both areas are relative to the same outlines from the side.
-static Vector2 from_above(const FormMeasure &measure, const FormArrays &arrays) {
+// Both areas are relative to the same outlines from the side. `solid`: the first part of the arrays, and what it is the
+// mesh of. Cards show the true area, and their quads are mostly holes.
+static Vector2 from_above(
+		const FormMeasure &measure, const FormMeasure &solid, const MeshCounts &counts, const FormArrays &arrays) {
 	float side = 0.0f;
 	for (const float outline : measure.outlines) {
 		side += outline / float(OUTLINES);
 	}
-	const float own = area_from_above({ reinterpret_cast<const glm::vec3 *>(arrays.positions.ptr()),
-			int(arrays.positions.size()), arrays.indices.ptr(), int(arrays.indices.size()) });
-	return side > 0.0f ? Vector2(measure.from_above, own) / side : Vector2();
+	const float own = area_from_above({ reinterpret_cast<const glm::vec3 *>(arrays.positions.ptr()), counts.vertices,
+			arrays.indices.ptr(), counts.indices });
+	const float shown = std::max(measure.from_above + own - solid.from_above, 0.0f);
+	return side > 0.0f ? Vector2(measure.from_above, shown) / side : Vector2();
 }
 
 MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
@@ -130,8 +135,10 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 				arrays.buffers());
 	}
 	if (above) {
-		*above = from_above(grown.measure(), arrays);
-		above->y = cards.is_empty() ? above->y : above->x; // The quads of cards are mostly holes.
+		const FormMeasure &all = grown.measure();
+		*above = cards.is_empty()
+				? from_above(all, all, counts, arrays)
+				: from_above(all, grown.card_form(sampled.cards->sheet()).measure, cards.rest.counts, arrays);
 	}
 	if (sampled.stem) {
 		bind_to_joints(sampled.stem->joints, counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),

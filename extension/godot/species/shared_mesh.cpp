@@ -120,12 +120,14 @@ float SharedMesh::outline_error(const LevelError &whole) {
 		return whole.of(level);
 	}
 	const PackedVector3Array normals = seen.arrays[Mesh::ARRAY_NORMAL];
+	const PackedFloat32Array tangents = seen.arrays[Mesh::ARRAY_TANGENT];
 	const PackedVector2Array uvs = seen.arrays[Mesh::ARRAY_TEX_UV];
 	const PackedFloat32Array custom0 = seen.arrays[Mesh::ARRAY_CUSTOM0];
 	const PackedFloat32Array custom2 = seen.arrays[Mesh::ARRAY_CUSTOM2];
 	const CardSheet &sheet = plant.cards->sheet();
 	SeenCards cards;
 	cards.normals = reinterpret_cast<const glm::vec3 *>(normals.ptr());
+	cards.tangents = reinterpret_cast<const glm::vec4 *>(tangents.ptr());
 	cards.uvs = reinterpret_cast<const glm::vec2 *>(uvs.ptr());
 	cards.custom0 = reinterpret_cast<const glm::vec4 *>(custom0.ptr());
 	cards.custom2 = reinterpret_cast<const glm::vec4 *>(custom2.ptr());

@@ -25,9 +25,14 @@ static constexpr float MIN_MARGIN = 1e-3f; // m.
 static constexpr float PIXELS_OF_RADIAN = 703.7f;
 static constexpr float NEAREST = 0.5f; // m: a level that ends nearer is not used.
 static constexpr float MAX_SHARE_OF_NEXT = 0.8f; // A level that begins later than at this share of its end is not used.
-static constexpr float NEAR_END = 16.0f; // m: levels that end farther are drawn in squares.
+static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
+// m: a level that begins nearer, and is drawn plant by plant, has this many variants. A plant must not become another
+// one where its stems can be counted.
+static constexpr float DISTINCT_END = 4.5f;
+static constexpr int DISTINCT_VARIANTS = 2;
 static constexpr float MAX_NEAR_PLANTS = 12000.0f; // Within the end of a level that is drawn plant by plant.
 static constexpr int SHADOW_SEGMENTS = 3; // Finer levels cast the shadows of this one.
+static constexpr float MAX_CASTER_BEGIN = 8.0f; // m: a level that begins farther casts no shadows of nearer plants.
 static constexpr float NEAR_SHADOWS = 3.0f; // m: where plants of dense species cast them, too.
 static constexpr float MAX_SHADOW_VERTICES = 600.0f; // Per m²; denser species cast the shadows of their last level.
 static constexpr int MIN_SEGMENTS_OF_NEAR = 3; // Coarser levels of plants of parts are drawn in squares.
@@ -115,6 +120,7 @@ static void set_near(const LevelRule &rule, const SpeciesStyle &style, std::vect
 		const float plants = style.density * (rule.area > 0.0f ? std::min(around, rule.area) : around);
 		level.is_near = level.is_used && level.lod >= MIN_SEGMENTS_OF_NEAR && level.end > 0.0f &&
 				level.end <= NEAR_END && plants <= MAX_NEAR_PLANTS;
+		level.min_variants = level.is_near && level.begin < DISTINCT_END * rule.lod_bias ? DISTINCT_VARIANTS : 1;
 	}
 }
 
@@ -132,7 +138,7 @@ static void set_shadows(const LevelRule &rule, SpeciesStyle &style, std::vector<
 		level.casts_for_finer = false;
 		level.shadow_begin = 0.0f;
 		if (level.is_used && level.lod <= SHADOW_SEGMENTS) {
-			caster = is_dense || level.is_near ? caster : &level;
+			caster = is_dense || level.is_near || level.begin > MAX_CASTER_BEGIN * rule.lod_bias ? caster : &level;
 			style.near_shadow_level = int(i);
 		}
 	}
@@ -222,7 +228,7 @@ void fit_levels(FieldRenderSetup &setup) {
 	std::stable_sort(shares.begin(), shares.end(),
 			[](const Share &one, const Share &other) { return one.need * other.weight < other.need * one.weight; });
 	const float part = setup.rule.area > 0.0f ? std::min(setup.rule.area / LARGE_AREA, 1.0f) : 1.0f;
-	float left = MAX_TRIANGLES * std::sqrt(part * std::sqrt(part)) * setup.rule.lod_bias * setup.rule.lod_bias;
+	float left = MAX_TRIANGLES * std::cbrt(part * part) * setup.rule.lod_bias * setup.rule.lod_bias;
 	for (const Share &share : shares) {
 		const float max = left * share.weight / weights;
 		if (share.need > max) {

@@ -14,7 +14,8 @@ struct FieldLevel {
 	float end = 0.0f; ///< m; 0: no end.
 	float margin = 2.0f; ///< Length of the transition from the previous level (m), > 0.
 	float end_margin = 2.0f; ///< Length of the transition to the next level (m), > 0.
-	int halvings = 0; ///< How often the number of variants is halved.
+	int halvings = 0; ///< How often the number of variants is halved,
+	int min_variants = 1; ///< but at least this many remain of a species that has as many.
 	bool is_used = true; ///< False: the species skips this level.
 	bool is_near = false; ///< True: its plants are drawn one by one around the cameras (NearPlants), not in squares.
 	int tile_factor = 1; ///< Width of its multimeshes, in tiles.
@@ -36,11 +37,12 @@ struct FieldLevel {
 	}
 	/// True if both are drawn with the same meshes and multimeshes.
 	bool has_form_of(const FieldLevel &other) const {
-		return std::tie(lod, halvings, is_used, is_near, casts_for_finer) ==
-				std::tie(other.lod, other.halvings, other.is_used, other.is_near, other.casts_for_finer);
+		return std::tie(lod, halvings, min_variants, is_used, is_near, casts_for_finer) ==
+				std::tie(other.lod, other.halvings, other.min_variants, other.is_used, other.is_near,
+						other.casts_for_finer);
 	}
 	/// Returns the number of meshes at this level for a species of `variants` plants, at least 1.
-	int groups(int variants) const { return std::max(1, variants >> halvings); }
+	int groups(int variants) const { return std::max({ 1, variants >> halvings, std::min(variants, min_variants) }); }
 	/// Returns the density of plants with or without parts.
 	LodDensity lod_density_of(bool has_parts) const { return has_parts || affects_lathes ? lod_density : LodDensity(); }
 };

@@ -55,11 +55,12 @@ String SpeciesStyle::sample_next(
 	const int64_t own_seed = variant_seed(seed, variant);
 	samples.resize(levels.size());
 	for (size_t level = 0; level < levels.size(); level++) {
-		if (variant >= levels[level].groups(variant_count)) {
+		const bool has_parts = level > 0 && samples[0][size_t(variant)].grown;
+		if (!has_parts && variant >= levels[level].groups(variant_count)) {
 			break;
 		}
 		SampledPlant sampled;
-		if (level > 0 && samples[0][size_t(variant)].grown) {
+		if (has_parts) {
 			sampled = samples[0][size_t(variant)]; // A plant of parts is the same at all levels.
 			sampled.lod = segments_at(levels[level]);
 		} else {
@@ -153,14 +154,16 @@ bool SpeciesStyle::is_carded(size_t material) const {
 	return level < are_carded.size() && are_carded[level];
 }
 
-// The samples of the first used level are kept for plants that get a mesh of their own.
+// Plants of parts are sampled with all variants at all levels. The samples of the first used level are kept for plants
+// that get a mesh of their own.
 void SpeciesStyle::leave_unused() {
 	for (size_t level = 0; level < samples.size(); level++) {
 		if (!levels[level].is_used) {
 			samples[level].clear();
-		} else if (nearest.empty()) {
-			nearest = samples[level];
+			continue;
 		}
+		samples[level].resize(std::min(samples[level].size(), size_t(levels[level].groups(variant_count))));
+		nearest = nearest.empty() ? samples[level] : nearest;
 	}
 }
 
