@@ -401,7 +401,8 @@ const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, co
 			const float away = placed.xform(batch.middle).distance_to(camera);
 			const float radius = batch.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
-				counted[size_t(place.level)] += batch.rank_counts[size_t(steps_for(level, batch, distance_to(batch, { seen_from })))];
+				const int steps = steps_for(level, batch, distance_to(batch, { seen_from }));
+				counted[size_t(place.level)] += batch.rank_counts[size_t(steps)];
 			}
 		}
 	}

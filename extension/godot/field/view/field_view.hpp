@@ -73,8 +73,8 @@ public:
 	void set_visible(bool visible);
 	void set_flags(const InstanceRenderFlags &flags);
 	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `cameras` (world axes)
-	/// shows, and no shadows of distant ones. No cameras: draws everything. The cost depends on the number of multimeshes, and only after a camera
-	/// moved.
+	/// shows, and no shadows of distant ones. No cameras: draws everything. The cost depends on the number of
+	/// multimeshes, and only after a camera moved.
 	void cull(const std::vector<DrawingCamera> &cameras);
 	/// Call before a frame is drawn.
 	void note_drawing() { has_unflushed = false; }
