@@ -3,6 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
 const MEADOW := "res://addons/undergrowth/mixes/meadow.tscn"
+const WHEAT := "res://addons/undergrowth/mixes/wheat_field.tscn"
 const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
 
 
@@ -82,6 +83,20 @@ func test_plants_near_the_camera_keep_their_form_from_level_to_level() -> void:
 			if begin < 4.0 and end > 0.0 and end < 20.0:
 				check(listed["variants"][i] >= 2, "from %.1f m on: %s" % [begin, listed])
 			begin = end
+
+
+func test_ears_on_cards_do_not_become_solid_between_two_near_levels() -> void:
+	field.free()
+	field = (load(WHEAT) as PackedScene).instantiate()
+	field.simulation_enabled = false
+	var builds := [0]
+	field.build_finished.connect(func() -> void: builds[0] += 1)
+	await start()
+	await rested()
+	var carded: PackedByteArray = _levels()[0]["are_carded"]
+	check_equal(carded[-1], 0, "the last level is solid")
+	check_equal(carded[-2], 1, "the level before it has cards: %s" % _levels()[0])
+	check_equal(builds[0], 1, "builds")
 
 
 func test_levels_of_users_go_before_errors() -> void:

@@ -25,6 +25,9 @@ static constexpr float MIN_MARGIN = 1e-3f; // m.
 static constexpr float PIXELS_OF_RADIAN = 703.7f;
 static constexpr float NEAREST = 0.5f; // m: a level that ends nearer is not used.
 static constexpr float MAX_SHARE_OF_NEXT = 0.8f; // A level that begins later than at this share of its end is not used.
+// The same for solid levels after one with cards, which begin nearer than this (m): their forms differ visibly.
+static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.65f;
+static constexpr float SOLID_SEEN_END = 5.0f;
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
 // m: a level that begins nearer, and is drawn plant by plant, has this many variants. A plant must not become another
 // one where its stems can be counted.
@@ -91,15 +94,18 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 }
 
 // Marks the levels that a species uses, and sets their distances.
-static void set_distances(
-		const FieldRenderSetup &setup, const std::vector<float> &begins, std::vector<FieldLevel> &levels) {
-	const LevelRule &rule = setup.rule;
+static void set_distances(const LevelRule &rule, const SpeciesStyle &style, const std::vector<float> &begins,
+		std::vector<FieldLevel> &levels) {
 	float next = rule.range_end;
 	bool is_last = true;
 	for (size_t i = levels.size(); i-- > 0;) {
 		FieldLevel &level = levels[i];
 		const bool is_beyond = rule.range_end > 0.0f && begins[i] >= rule.range_end;
-		const bool is_short = !is_last && (next <= NEAREST || begins[i] >= MAX_SHARE_OF_NEXT * next);
+		const std::vector<bool> &carded = style.are_carded;
+		const bool is_after_cards = i > 0 && i < carded.size() && carded[i - 1] && !carded[i];
+		const bool is_coarse = is_after_cards && begins[i] < SOLID_SEEN_END * rule.lod_bias;
+		const float max_share = is_coarse ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
+		const bool is_short = !is_last && (next <= NEAREST || begins[i] >= max_share * next);
 		level.is_used = i == 0 ? is_last || next > NEAREST : !is_beyond && !is_short;
 		level.begin = level.is_used ? begins[i] : 0.0f;
 		level.end = level.is_used ? next : 0.0f;
@@ -163,7 +169,7 @@ static void set_shadows(const LevelRule &rule, SpeciesStyle &style, std::vector<
 static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyle &style, float coarser) {
 	const LevelRule &rule = setup.rule;
 	std::vector<FieldLevel> levels = setup.levels;
-	set_distances(setup, begins_of(setup, style, coarser), levels);
+	set_distances(rule, style, begins_of(setup, style, coarser), levels);
 	if (!style.errors.empty()) {
 		set_near(rule, style, levels);
 		set_shadows(rule, style, levels);
