@@ -234,7 +234,7 @@ void fit_levels(FieldRenderSetup &setup) {
 	std::stable_sort(shares.begin(), shares.end(),
 			[](const Share &one, const Share &other) { return one.need * other.weight < other.need * one.weight; });
 	const float part = setup.rule.area > 0.0f ? std::min(setup.rule.area / LARGE_AREA, 1.0f) : 1.0f;
-	float left = MAX_TRIANGLES * std::cbrt(part * part) * setup.rule.lod_bias * setup.rule.lod_bias;
+	float left = MAX_TRIANGLES * std::sqrt(part * std::sqrt(part)) * setup.rule.lod_bias * setup.rule.lod_bias;
 	for (const Share &share : shares) {
 		const float max = left * share.weight / weights;
 		if (share.need > max) {
