@@ -2,6 +2,7 @@
 
 #include "mesh/form_measure.hpp"
 #include "mesh/part_template.hpp"
+#include "mesh/shown_tone.hpp"
 #include "mesh/sight_lens.hpp"
 
 #include <glm/geometric.hpp>
@@ -55,6 +56,7 @@ public:
 		const PartTemplate &shape = placed.own_midrib >= 0 ? own
 				: known != shapes.end()					   ? known->second
 										: shapes.emplace(placed.kind, make(placed, part)).first->second;
+		const Venation veins = venation_of(part);
 		std::vector<Corner> corners;
 		for (const TemplateVertex &vertex : shape.vertices) {
 			const glm::vec3 point = placed.base +
@@ -69,8 +71,9 @@ public:
 			for (size_t k = 0; k < 3; k++) {
 				const size_t at = static_cast<size_t>(shape.indices[i + k]);
 				const glm::vec4 &color = shape.vertices[at].color;
+				const float tone = petal_tone(veins, shape.vertices[at].uv.y) / 3.0f;
 				triangle.corners[k] = corners[at];
-				triangle.light += glm::vec3(to_light(color.x), to_light(color.y), to_light(color.z)) * (1.0f / 3.0f);
+				triangle.light += glm::vec3(to_light(color.x), to_light(color.y), to_light(color.z)) * tone;
 			}
 			triangle.normal = normal_of(triangle.corners[0], triangle.corners[1], triangle.corners[2]);
 			triangle.leafiness = part.translucency;

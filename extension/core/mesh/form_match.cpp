@@ -1,6 +1,7 @@
 #include "mesh/form_match.hpp"
 
 #include "mesh/outline_fit.hpp"
+#include "mesh/shown_tone.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -66,13 +67,30 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 	}
 }
 
+/// Venation of a vertex by its code (mesh/vertex_format.hpp).
+Venation veins_of(const glm::vec4 &custom0) {
+	return static_cast<Venation>(static_cast<int>(custom0.z) + static_cast<int>(Venation::none));
+}
+
+/// Weights of all colours in the mean that materials show.
+std::vector<float> shown_shares(
+		const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
+	std::vector<float> shares = seen_shares(seen(mesh, units), measure.box);
+	for (size_t i = 0; i < shares.size(); i++) {
+		shares[i] *= tone_of(mesh.colors[i].w) * petal_tone(veins_of(mesh.custom0[i]), mesh.uvs[i].y);
+	}
+	return shares;
+}
+
 void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
-	const std::vector<float> shares = seen_shares(seen(mesh, units), measure.box);
+	const std::vector<float> shares = shown_shares(measure, units, mesh);
+	float tone = 0.0f; // Mean.
 	std::vector<glm::vec3> light;
 	light.reserve(static_cast<size_t>(units.back().vertex));
 	for (int i = 0; i < units.back().vertex; i++) {
 		const glm::vec4 &color = mesh.colors[i];
 		light.emplace_back(to_light(color.x), to_light(color.y), to_light(color.z));
+		tone += shares[static_cast<size_t>(i)];
 	}
 	glm::vec3 gains(1.0f);
 	for (int step = 0; step < COLOR_STEPS; step++) { // Several steps, because no colour can exceed white.
@@ -89,7 +107,8 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		for (size_t i = 0; i < shares.size(); i++) {
 			mean += shifted(i) * shares[i];
 		}
-		more = glm::clamp(more + measure.light - mean, -MAX_REMOVED_LIGHT, MAX_ADDED_LIGHT);
+		more += (measure.light - mean) / std::max(tone, 1e-4f);
+		more = glm::clamp(more, -MAX_REMOVED_LIGHT, MAX_ADDED_LIGHT);
 	}
 	for (size_t i = 0; i < light.size(); i++) {
 		light[i] = shifted(i);

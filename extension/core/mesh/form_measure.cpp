@@ -2,7 +2,9 @@
 
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
+#include "mesh/openness.hpp"
 #include "mesh/part_template.hpp"
+#include "mesh/shown_tone.hpp"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -73,17 +75,22 @@ float fill_of(const Part &part, const Midrib &midrib, const PartTemplate &shape,
 /// All parts as they grew, in one mesh.
 struct Whole {
 	std::vector<glm::vec3> points;
-	std::vector<glm::vec3> light;
+	std::vector<glm::vec3> light; ///< As materials show it.
+	std::vector<float> tones;
 	std::vector<int32_t> indices;
 
+	explicit Whole(const PlantForm &form) : openness(form) {}
 	/// Adds a part; returns its shown area (m²), of both sides.
-	float add(const PlacedPart &part, const PartTemplate &shape, float fill) {
+	float add(const PlacedPart &part, const PartTemplate &shape, float fill, Venation veins) {
 		const int32_t first = static_cast<int32_t>(points.size());
 		for (const TemplateVertex &vertex : shape.vertices) {
 			points.push_back(part.base +
 					PlantForm::turned(
 							part.axes, vertex.point.middle * part.length + vertex.point.aside * (part.width * fill)));
-			light.emplace_back(to_light(vertex.color.x), to_light(vertex.color.y), to_light(vertex.color.z));
+			const float tone = tone_of(openness.at(points.back())) * petal_tone(veins, vertex.uv.y);
+			const glm::vec3 own(to_light(vertex.color.x), to_light(vertex.color.y), to_light(vertex.color.z));
+			light.push_back(own * tone);
+			tones.push_back(tone);
 		}
 		float twice = 0.0f;
 		for (size_t i = 0; i < shape.indices.size(); i += 3) {
@@ -94,6 +101,9 @@ struct Whole {
 		}
 		return 0.5f * twice;
 	}
+
+private:
+	const Openness openness;
 };
 
 float mean_translucency(const PlantForm &form, const std::vector<float> &shown) {
@@ -120,8 +130,10 @@ void measure_whole(const Whole &whole, FormMeasure &measure) {
 		measure.outlines = outline_areas(mesh, measure.box);
 		measure.from_above = area_from_above(mesh);
 		const std::vector<float> shares = seen_shares(mesh, measure.box);
+		measure.tone = 0.0f;
 		for (size_t i = 0; i < shares.size(); i++) {
 			measure.light += whole.light[i] * shares[i];
+			measure.tone += whole.tones[i] * shares[i];
 		}
 	}
 }
@@ -130,7 +142,7 @@ void measure_whole(const Whole &whole, FormMeasure &measure) {
 Whole grow_whole(const PlantForm &form, FormMeasure &measure) {
 	std::vector<PartTemplate> shapes(form.parts.size());
 	std::vector<float> fills(form.parts.size());
-	Whole whole;
+	Whole whole(form);
 	measure.shown.resize(form.groups.size(), 0.0f);
 	for (const Part &part : form.parts) {
 		measure.colors.push_back(mean_color(part));
@@ -150,7 +162,7 @@ Whole grow_whole(const PlantForm &form, FormMeasure &measure) {
 					part, form.midrib_of(placed), shape, form.height, measure.mean_widths[kind], measure.colors[kind]);
 		}
 		measure.shown[static_cast<size_t>(placed.group)] +=
-				near_share(part.kind) * whole.add(placed, shape, fills[kind]);
+				near_share(part.kind) * whole.add(placed, shape, fills[kind], venation_of(part));
 	}
 	return whole;
 }

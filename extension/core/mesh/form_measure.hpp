@@ -19,7 +19,9 @@ struct FormMeasure {
 	/// m² of each group's silhouette from the side: the mean over all horizontal directions, without occlusion.
 	std::vector<float> shown;
 	Outlines outlines = {}; ///< Silhouette of the whole plant from each side (m²), with occlusion.
-	glm::vec3 light = glm::vec3(0.0f); ///< Mean colour from all sides, linear.
+	/// Mean colour from all sides, linear, with the tones of materials (mesh/shown_tone.hpp).
+	glm::vec3 light = glm::vec3(0.0f);
+	float tone = 1.0f; ///< The mean of these tones.
 	float from_above = 0.0f; ///< Area of the whole plant from straight above (m²).
 	float translucency = 0.0f; ///< Mean over its parts, weighted by each group's shown area.
 	SightBox box; ///< The box for measuring outlines and light.

@@ -1,20 +1,13 @@
 #include "mesh/form_writer.hpp"
 
-#include "base/portable_math.hpp"
-
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace undergrowth {
 
 namespace {
 
-// Light in a canopy decreases exponentially with the leaf area above (Beer-Lambert).
-constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
-constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
 constexpr float MAX_RANK = 0.999f; // The code of the venation is added to the rank.
 constexpr float MAX_WIDENING = 12.0f;
 constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
@@ -23,27 +16,7 @@ constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, 
 
 FormWriter::FormWriter(
 		const PlantForm &p_form, const FormBones &bones, const MeshOptions &options, const FormBuffers &buffers) :
-		form(p_form), skeleton(bones), out(buffers), color_deviation(options.color_deviation) {
-	static const auto falls = [] { // The same for all plants.
-		std::array<float, HEIGHTS + 2> at;
-		for (size_t i = 0; i < at.size(); i++) {
-			const double below = std::max(0.0, 1.0 - static_cast<double>(i) / HEIGHTS);
-			at[i] = static_cast<float>(portable_exp(-EXTINCTION * below));
-		}
-		return at;
-	}();
-	std::copy(falls.begin(), falls.end(), light);
-}
-
-float FormWriter::openness(const glm::vec3 &point) const {
-	const float place = std::clamp(point.y / form.height, 0.0f, 1.0f) * HEIGHTS;
-	const int below = static_cast<int>(place);
-	const float t = place - static_cast<float>(below);
-	const float above_it = light[below] * (1.0f - t) + light[below + 1] * t;
-	const float away = std::sqrt(point.x * point.x + point.z * point.z);
-	const float inside = form.reach > 0.0f ? std::max(0.0f, 1.0f - away / form.reach) : 0.0f;
-	return above_it * (1.0f - INNER_SHADE * inside * inside);
-}
+		form(p_form), skeleton(bones), out(buffers), color_deviation(options.color_deviation), openness(p_form) {}
 
 void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::vec3 &aside, const glm::vec3 &normal,
 		const glm::vec3 &along, const glm::vec4 &color, glm::vec2 uv, float offset) {
@@ -54,7 +27,7 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 	out.tangents[i] = glm::vec4(along, 1.0f);
 	const glm::vec3 tinted = glm::vec3(color) * common.brightness;
 	out.colors[i] = { std::min(tinted.x, 1.0f), std::min(tinted.y, 1.0f), std::min(tinted.z, 1.0f),
-		openness(middle + aside) };
+		openness.at(middle + aside) };
 	out.uvs[i] = uv;
 	const float x = attachment.is_root ? stem_offset_of(form, middle) : attachment.stem_offset;
 	out.stem_places[i] = attachment.is_root ? x : attachment.stem_place;

@@ -3,6 +3,7 @@
 #include "mesh/card_strip.hpp"
 #include "mesh/form_body.hpp"
 #include "mesh/form_bones.hpp"
+#include "mesh/openness.hpp"
 #include "mesh/part_attachment.hpp"
 #include "mesh/part_template.hpp"
 #include "mesh/plant_mesh.hpp"
@@ -34,8 +35,6 @@ public:
 	void widen(const Mark &begin, float shown, float near_share);
 
 private:
-	static constexpr int HEIGHTS = 32;
-
 	/// Data that all vertices of one part or body share.
 	struct Common {
 		PartAttachment attachment;
@@ -49,14 +48,13 @@ private:
 	const FormBones &skeleton;
 	const FormBuffers &out;
 	const float color_deviation;
-	float light[HEIGHTS + 2]; ///< Light at each height of the plant.
+	const Openness openness;
 	int vertices = 0;
 	int indices = 0;
 
 	void put(const Common &common, const glm::vec3 &middle, const glm::vec3 &aside, const glm::vec3 &normal,
 			const glm::vec3 &along, const glm::vec4 &color, glm::vec2 uv, float offset);
 	void scale_width(int begin, float factor);
-	float openness(const glm::vec3 &point) const;
 	void put_index(int index) { out.indices[indices++] = index; }
 };
 

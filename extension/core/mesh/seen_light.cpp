@@ -1,4 +1,4 @@
-// Colours of meshes from the side.
+// Colours of meshes, seen from a little above.
 
 #include "mesh/sight_lens.hpp"
 
@@ -10,8 +10,31 @@ namespace {
 
 constexpr int COLUMNS = 96; // Per box.
 constexpr int ROWS = 128;
+constexpr size_t VIEWS = 4;
+/// Horizontal directions of the views, at about equal angles.
+constexpr float COSINES[VIEWS] = { 1.0f, -0.70710678f, 0.0f, 0.70710678f };
+constexpr float SINES[VIEWS] = { 0.0f, -0.70710678f, 1.0f, -0.70710678f };
+/// Height of the camera: 17° above.
+constexpr float RISE_SINE = 0.292f;
+constexpr float RISE_COSINE = 0.956f;
 
-/// The nearest and farthest triangle at each dot; the farthest is the nearest from the other side.
+/// Turns a mesh so that set_view(0) of a lens shows this view.
+void turn_to(size_t view, const SeenMesh &mesh, std::vector<glm::vec3> &points) {
+	for (int i = 0; i < mesh.vertex_count; i++) {
+		const glm::vec3 &point = mesh.positions[i];
+		const float away = point.z * COSINES[view] - point.x * SINES[view];
+		points[static_cast<size_t>(i)] = { point.x * COSINES[view] + point.z * SINES[view],
+			point.y * RISE_COSINE + away * RISE_SINE, away * RISE_COSINE - point.y * RISE_SINE };
+	}
+}
+
+/// The box around all turned points of a box.
+SightBox turned_box(const SightBox &box) {
+	const float side = box.reach * RISE_SINE;
+	return { box.reach, box.low * RISE_COSINE - side, box.top * RISE_COSINE + side };
+}
+
+/// The nearest triangle at each dot.
 class Sight {
 public:
 	Sight(int columns, int p_rows) : width(columns), rows(static_cast<size_t>(p_rows)), dots(new Dot[size()]) {}
@@ -32,21 +55,15 @@ public:
 			dot.nearest = depth;
 			dot.front = triangle;
 		}
-		if (depth > dot.farthest) {
-			dot.farthest = depth;
-			dot.back = triangle;
-		}
 	}
-	/// Calls `visit(triangle, x, y)` for what is visible from both sides, and clears it.
+	/// Calls `visit(triangle, x, y)` for what is visible, and clears it.
 	template <class Visit> void take(const Visit &visit) {
 		for (size_t row = 0; row < rows.size(); row++) {
 			const float y = static_cast<float>(row) + 0.5f;
 			for (int column = rows[row].first; column < rows[row].end; column++) {
 				const Dot &dot = dots[place(static_cast<int>(row), column)];
 				if (dot.front >= 0) {
-					const float x = static_cast<float>(column) + 0.5f;
-					visit(dot.front, x, y);
-					visit(dot.back, x, y);
+					visit(dot.front, static_cast<float>(column) + 0.5f, y);
 				}
 			}
 			rows[row] = Row();
@@ -56,9 +73,7 @@ public:
 private:
 	struct Dot {
 		float nearest;
-		float farthest;
 		int front; ///< Index of a triangle.
-		int back;
 	};
 	/// Used columns.
 	struct Row {
@@ -73,7 +88,7 @@ private:
 	size_t place(int row, int column) const { return static_cast<size_t>(row * width + column); }
 	void clear(int row, int first, int end) {
 		for (int column = first; column < end; column++) {
-			dots[place(row, column)] = { 1e30f, -1e30f, -1, -1 };
+			dots[place(row, column)] = { 1e30f, -1 };
 		}
 	}
 };
@@ -125,14 +140,17 @@ void draw(Sight &sight, const SightLens &lens, const SightLens::Triangle &triang
 } // namespace
 
 std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box) {
-	SightLens lens(mesh, box, COLUMNS, ROWS);
-	Sight sight(lens.columns(), lens.rows());
-	const std::vector<SightLens::Triangle> &triangles = lens.triangles();
-	std::vector<Shares> planes(triangles.size());
-	std::vector<float> shares(static_cast<size_t>(mesh.vertex_count), 0.0f);
+	std::vector<glm::vec3> points(static_cast<size_t>(mesh.vertex_count));
+	const SeenMesh turned = { points.data(), mesh.vertex_count, mesh.indices, mesh.index_count };
+	std::vector<float> shares(points.size(), 0.0f);
 	int count = 0;
-	for (size_t side = 0; side < OUTLINES; side++) {
-		lens.set_view(side);
+	for (size_t view = 0; view < VIEWS; view++) {
+		turn_to(view, mesh, points);
+		SightLens lens(turned, turned_box(box), COLUMNS, ROWS);
+		lens.set_view(0);
+		Sight sight(lens.columns(), lens.rows());
+		const std::vector<SightLens::Triangle> &triangles = lens.triangles();
+		std::vector<Shares> planes(triangles.size());
 		for (size_t i = 0; i < triangles.size(); i++) {
 			const int32_t *at = mesh.indices + triangles[i].first;
 			planes[i] = shares_of(lens, at);

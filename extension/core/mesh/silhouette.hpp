@@ -42,7 +42,7 @@ Outlines outline_areas(const SeenMesh &mesh, const SightBox &box);
 /// Returns its area from straight above (m²).
 float area_from_above(const SeenMesh &mesh);
 
-/// Returns the weight of each vertex's colour in the mean colour for a distant camera, over all eight sides, with
+/// Returns the weight of each vertex's colour in the mean colour for a distant camera 17° above, over four sides, with
 /// occlusion, under even light. The weights sum to 1, or are all 0 if nothing is visible.
 std::vector<float> seen_shares(const SeenMesh &mesh, const SightBox &box);
 

@@ -150,7 +150,7 @@ TEST_CASE("a sheet of cards fits the video memory of a species") {
 }
 
 TEST_CASE("the pictures of cards are the same on every platform") {
-	const uint64_t goldens[3] = { 0x9d5092e56ef3e920ull, 0x13288d745c489346ull, 0x3a89fee7384af16dull };
+	const uint64_t goldens[3] = { 0x9d5092e56ef3e920ull, 0x9690b6677ea17fe8ull, 0x3a89fee7384af16dull };
 	for (size_t i = 0; i < 3; i++) {
 		GoldenHash hash;
 		for (const CardLayer &layer : make_card_sheet(SPECIES[i](4)).pictures) {

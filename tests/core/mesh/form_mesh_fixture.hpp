@@ -74,8 +74,9 @@ struct Sight {
 	glm::dvec3 light = glm::dvec3(0.0); ///< Mean colour in linear light, with the same light on every triangle.
 };
 
-/// Level view from `side` of eight, on `pixels` by `pixels` over `box` metres from the ground up.
-Sight look_at(const BuiltForm &mesh, int side, double box, int pixels = 500);
+/// View from `side` of eight, `rise` rad above the horizon, on `pixels` by `pixels` over `box` metres from the ground
+/// up.
+Sight look_at(const BuiltForm &mesh, int side, double box, int pixels = 500, double rise = 0.0);
 
 /// Difference of two colours in linear light: CIE 1976 ΔE in L*a*b* under D65.
 double color_distance(const glm::dvec3 &a, const glm::dvec3 &b);

@@ -1,9 +1,12 @@
 // A small rasterizer: silhouettes and mean colours of meshes from the side.
 
 #include "form_mesh_fixture.hpp"
+#include "mesh/shown_tone.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+using namespace undergrowth;
 
 namespace {
 
@@ -63,7 +66,7 @@ glm::dvec3 to_lab(const glm::dvec3 &c) {
 
 } // namespace
 
-Sight look_at(const BuiltForm &mesh, int side, double box, int pixels) {
+Sight look_at(const BuiltForm &mesh, int side, double box, int pixels, double rise) {
 	const double angle = side * 0.78539816339744831;
 	const double c = std::cos(angle);
 	const double s = std::sin(angle);
@@ -75,8 +78,14 @@ Sight look_at(const BuiltForm &mesh, int side, double box, int pixels) {
 			const size_t vertex = size_t(mesh.indices[i + k]);
 			const glm::dvec3 p = mesh.positions[vertex];
 			const glm::dvec3 color = mesh.colors[vertex];
-			corners[k] = { { (c * p.x + s * p.z + 0.5 * box) * scale, (p.y + 0.1 * box) * scale, s * p.x - c * p.z },
-				{ to_linear(color.x), to_linear(color.y), to_linear(color.z) } };
+			const double near = s * p.x - c * p.z;
+			const double up = p.y * std::cos(rise) - near * std::sin(rise);
+			const int veins = int(mesh.custom0[vertex].z) + int(Venation::none);
+			const double tone =
+					double(tone_of(mesh.colors[vertex].w) * petal_tone(Venation(veins), mesh.uvs[vertex].y));
+			corners[k] = { { (c * p.x + s * p.z + 0.5 * box) * scale, (up + 0.1 * box) * scale,
+								   near * std::cos(rise) + p.y * std::sin(rise) },
+				tone * glm::dvec3(to_linear(color.x), to_linear(color.y), to_linear(color.z)) };
 		}
 		draw(picture, pixels, corners);
 	}

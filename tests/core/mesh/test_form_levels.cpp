@@ -29,7 +29,9 @@ struct Tolerance {
 };
 
 constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.07, 3.0 }, { 3, 0.03, 0.05, 3.2 },
-	{ 2, 0.03, 0.07, 3.0 }, { 1, 0.04, 0.09, 3.0 } };
+	{ 2, 0.03, 0.07, 3.0 }, { 1, 0.04, 0.09, 3.4 } };
+
+constexpr double RISE = 0.3; // rad: mean colours are those that a camera sees from a little above.
 
 struct Sights {
 	Sight sides[SIDES];
@@ -40,12 +42,15 @@ struct Sights {
 Sights poll_dependencies(const PlantForm &form, int budget) {
 	const BuiltForm mesh = build(form, plan_form(form, measure_form(form), budget));
 	Sights sights;
+	double shown = 0.0;
 	for (int side = 0; side < SIDES; side++) {
 		sights.sides[side] = look_at(mesh, side, 1.4 * form.height, PIXELS);
 		sights.area += sights.sides[side].area;
-		sights.light += sights.sides[side].light * sights.sides[side].area;
+		const Sight from_above = look_at(mesh, side, 1.6 * form.height, PIXELS, RISE);
+		sights.light += from_above.light * from_above.area;
+		shown += from_above.area;
 	}
-	sights.light /= sights.area;
+	sights.light /= shown;
 	return sights;
 }
 
@@ -261,9 +266,10 @@ TEST_CASE("near surfaces count in the visible colour, hidden ones do not") {
 	const std::vector<float> shares = seen_shares(mesh, { 1.2f, 0.0f, 1.0f });
 	const float inner = shares[3] + shares[4] + shares[5];
 	const float outer = shares[0] + shares[1] + shares[2];
-	CHECK(std::abs(shares[6] + shares[7] + shares[8] - outer) < 0.02f);
+	const float other = shares[6] + shares[7] + shares[8];
+	CHECK(std::min(outer, other) > 0.3f);
 	CHECK(inner < 0.15f); // Oblique views see between them.
-	CHECK(std::abs(inner + 2.0f * outer - 1.0f) < 0.02f);
+	CHECK(std::abs(inner + outer + other - 1.0f) < 1e-3f);
 }
 
 TEST_CASE("colours survive linear light and back, and are near the exact curve") {

@@ -222,7 +222,8 @@ void SpeciesStyle::find_mean() {
 	for (const SampledPlant &sampled : nearest) {
 		if (sampled.grown) {
 			const FormMeasure &measure = sampled.grown->measure();
-			sum += glm::vec4(measure.light, measure.translucency) / float(nearest.size());
+			const glm::vec3 own = measure.light / std::max(measure.tone, 1e-3f);
+			sum += glm::vec4(own, measure.translucency) / float(nearest.size());
 		}
 	}
 	mean = Color(from_light(sum.x), from_light(sum.y), from_light(sum.z), sum.w);
