@@ -6,18 +6,11 @@ extends MeshInstance3D
 ## It needs a material with ground.gdshader or ground_layer.gdshader and changes a copy of it. The
 ## static functions do the same for the material of a terrain.
 
+const FarField := preload("far_field.gd")
 ## Pixels of one side of the picture of the density.
 const MASK_SIZE := 128
 ## Maximum number of plants that the picture counts. Of more plants it counts evenly chosen ones.
 const MASK_PLANTS := 20000
-## Few, as of distant plants: the many parts of a head that hide each other count once.
-const SEGMENTS := 3
-const SEEDS := 3
-## Layers of height by which tall plants hide low ones.
-const LAYERS := 48
-## Extinction of the view per m² of leaves on a m² of ground. Evenly spread leaves would have 4.4 in
-## a view 6.5° below the horizon. Those of plants overlap, and leave gaps.
-const EXTINCTION := 1.5
 
 ## The field on this ground.
 @export var field: PlantField3D
@@ -48,47 +41,15 @@ func _process(_delta: float) -> void:
 
 
 ## Gives [param material] the mean colour of the plants of [param of_field]:
-## [code]field_color[/code] and [code]field_translucency[/code].
+## [code]field_color[/code], [code]field_translucency[/code] and [code]field_openness[/code].
 static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> void:
-	var weights := 0.0
-	for entry in of_field.species:
-		weights += entry.weight if entry != null and entry.species != null else 0.0
-	var meshes: Array[Array] = []  # Each with the size and the density of its plants.
-	var tallest := 1e-6
-	for entry in of_field.species:
-		if entry == null or entry.species == null or weights <= 0.0:
-			continue
-		var size := (entry.scale_range.x + entry.scale_range.y) * 0.5
-		var density := of_field.density * entry.density_factor * entry.weight / weights
-		for i in SEEDS:
-			var mesh := entry.species.generate_mesh(0.0, SEGMENTS, i + 1)
-			if mesh == null:
-				break  # The species has an error, which it reports.
-			tallest = maxf(tallest, mesh.get_aabb().end.y * size)
-			meshes.append([mesh, size, density / SEEDS])
-	var layers: Array[Layer] = []
-	for i in LAYERS:
-		layers.append(Layer.new())
-	for of_mesh in meshes:
-		var mesh: ArrayMesh = of_mesh[0]
-		for surface in mesh.get_surface_count():
-			_add_triangles(
-				mesh.surface_get_arrays(surface), of_mesh[1], of_mesh[2], tallest, layers
-			)
-	var sum := Layer.new()
-	var above := 0.0
-	for i in LAYERS:  # Each layer hides the ones below it.
-		var layer := layers[LAYERS - 1 - i]
-		var seen := exp(-EXTINCTION * (above + 0.5 * layer.area))
-		sum.color += seen * layer.color
-		sum.area += seen * layer.area
-		above += layer.area
-	if sum.area <= 0.0:
+	var far := FarField.new(of_field)
+	if far.covered == 0:
 		return
-	var mean := sum.color / sum.area
-	var color := Color(mean.x, mean.y, mean.z).linear_to_srgb()
+	var color := Color(far.color.x, far.color.y, far.color.z).linear_to_srgb()
 	material.set_shader_parameter(&"field_color", color)
-	material.set_shader_parameter(&"field_translucency", mean.w)
+	material.set_shader_parameter(&"field_translucency", far.translucency)
+	material.set_shader_parameter(&"field_openness", far.openness)
 
 
 ## Gives [param material] the density of the plants of [param of_field]: [code]field_mask[/code] and
@@ -121,32 +82,6 @@ func _show_density() -> void:
 	_material.set_shader_parameter(&"field_beyond", 0.0)
 
 
-# Adds the triangles of a surface to layers of height, for `density` plants/m² of this size.
-static func _add_triangles(
-	arrays: Array, size: float, density: float, tallest: float, layers: Array[Layer]
-) -> void:
-	var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
-	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
-	var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
-	var own := PackedFloat32Array()
-	if arrays[Mesh.ARRAY_CUSTOM0] != null:
-		own = arrays[Mesh.ARRAY_CUSTOM0]
-	var has_parts := own.size() == 4 * points.size()  # Other plants have one number per vertex.
-	for i in range(0, indices.size(), 3):
-		var a := points[indices[i]]
-		var edges := (points[indices[i + 1]] - a).cross(points[indices[i + 2]] - a)
-		var area := 0.5 * edges.length() * size * size * density
-		var height := (a.y + points[indices[i + 1]].y + points[indices[i + 2]].y) * size / 3.0
-		var number := clampi(int(height / tallest * LAYERS), 0, LAYERS - 1)
-		var layer := layers[number]
-		layer.area += area
-		for corner in 3:
-			var vertex := indices[i + corner]
-			var color := colors[vertex].srgb_to_linear()
-			var through := own[4 * vertex + 3] if has_parts else 0.0
-			layer.color += Vector4(color.r, color.g, color.b, through) * (area / 3.0)
-
-
 # A smooth picture of the number of places, 1 at their mean.
 static func _count(places: PackedVector2Array, area: Rect2) -> Image:
 	var side := mini(MASK_SIZE, ceili(sqrt(places.size() / 6.0)) + 1)
@@ -169,9 +104,3 @@ static func _count(places: PackedVector2Array, area: Rect2) -> Image:
 	image.convert(Image.FORMAT_R8)
 	image.generate_mipmaps()
 	return image
-
-
-# The parts of plants at one height, on a m² of ground: area (m²), linear colour, translucency.
-class Layer:
-	var area := 0.0
-	var color := Vector4.ZERO
