@@ -236,7 +236,7 @@ class Kind:
 		var light := mean.lerp(_linear(color), contrast)
 		var most := maxf(light.x, light.z)
 		var green := smoothstep(-0.1, 0.12, (light.y - most) / maxf(light.y, 0.001))
-		light *= lerpf(TONE, _tone_of(color.a), contrast)
+		light *= _tone_of(color.a)
 		light *= minf(1.0, 0.85 / maxf(maxf(light.x, light.y), maxf(light.z, 1e-4)))
 		return Vector4(light.x, light.y, light.z, lerpf(color.a, FAR_OPENNESS, FAR_SHARE * green))
 
