@@ -18,8 +18,6 @@ const FRAMES_WITHOUT_CHANGE := 60
 const MAX_WAIT_MSEC := 15_000
 const SHADOW_SIZE := 4096  # Pixels.
 
-var _sun: DirectionalLight3D
-
 
 func _run() -> void:
 	if RenderingServer.get_video_adapter_name().contains("llvmpipe"):
@@ -29,7 +27,6 @@ func _run() -> void:
 	root.size = SCREEN
 	RenderingServer.viewport_set_measure_render_time(root.get_viewport_rid(), true)
 	_add_surroundings()
-	_sun = root.find_children("*", "DirectionalLight3D", false, false)[0]
 	RenderingServer.directional_shadow_atlas_set_size(SHADOW_SIZE, true)
 	_camera.position = Vector3(0.0, EYE_HEIGHT, 10.0)
 	var count := int(OS.get_cmdline_user_args()[0])
@@ -46,11 +43,9 @@ func _run() -> void:
 
 func _measure_meshes() -> void:
 	_sun.shadow_enabled = false
-	for name: String in SHADERS:
-		var material := ShaderMaterial.new()
-		material.shader = load(SHADERS[name])
-		await _measure_alone(name, material)
-	await _measure_alone("StandardMaterial3D", _plain_material())
+	var materials := _materials()
+	for name in materials:
+		await _measure_alone(name, materials[name])
 
 
 func _measure_alone(name: String, material: Material) -> void:

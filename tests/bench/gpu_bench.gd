@@ -25,15 +25,24 @@ func _run() -> void:
 		return
 	_add_surroundings()
 	_camera.position = Vector3(0.0, EYE_HEIGHT, 10.0)
-	for name: String in SHADERS:
-		var material := ShaderMaterial.new()
-		material.shader = load(SHADERS[name])
-		await _draw_alone(name, material)
-	await _draw_alone("StandardMaterial3D", _plain_material())
+	var materials := _materials()
+	for name in materials:
+		await _draw_alone(name, materials[name])
 	for count in OS.get_cmdline_user_args():
 		await _count_drawn(int(count))
 	print(JSON.stringify(_rows))
 	quit()
+
+
+## The materials that are measured alone, by name.
+func _materials() -> Dictionary[String, Material]:
+	var made: Dictionary[String, Material] = {}
+	for name: String in SHADERS:
+		var material := ShaderMaterial.new()
+		material.shader = load(SHADERS[name])
+		made[name] = material
+	made["StandardMaterial3D"] = _plain_material()
+	return made
 
 
 func _plain_material() -> StandardMaterial3D:

@@ -35,6 +35,7 @@ const BYTES_PER_PAGE := 4096
 
 var _rows: Array[Dictionary] = []
 var _camera: Camera3D
+var _sun: DirectionalLight3D
 var _first_resident := 0.0
 var _is_drawn := DisplayServer.get_name() != "headless"
 
@@ -60,12 +61,12 @@ func _run() -> void:
 
 
 func _add_surroundings() -> void:
-	var sun := DirectionalLight3D.new()
-	sun.rotation = Vector3(-0.6, 0.5, 0.0)
-	sun.shadow_enabled = true
-	sun.directional_shadow_mode = DirectionalLight3D.SHADOW_PARALLEL_4_SPLITS
-	sun.directional_shadow_max_distance = SHADOW_DISTANCE
-	root.add_child(sun)
+	_sun = DirectionalLight3D.new()
+	_sun.rotation = Vector3(-0.6, 0.5, 0.0)
+	_sun.shadow_enabled = true
+	_sun.directional_shadow_mode = DirectionalLight3D.SHADOW_PARALLEL_4_SPLITS
+	_sun.directional_shadow_max_distance = SHADOW_DISTANCE
+	root.add_child(_sun)
 	_camera = Camera3D.new()
 	_camera.far = 4000.0
 	root.add_child(_camera)

@@ -19,6 +19,14 @@ const THINNED := 7.5  # m: beyond this distance fewer plants are drawn, which ar
 const LOW := 0.3  # Angles of the camera above the plant, rad.
 const HIGH := 1.1
 
+
+## Pictures of a species with cards, and with all of its parts.
+class Pair:
+	var what: String
+	var shown: Image
+	var whole: Image
+
+
 var _field: PlantField3D
 var _root: Vector3
 var _height: float
@@ -36,48 +44,19 @@ func after_each() -> void:
 
 func test_levels_with_cards_cover_as_much_in_the_same_colour() -> void:
 	for name in SPECIES:
-		await _sow(name)
-		var listed: Dictionary = _field.get_statistics()["levels"][0]
-		var distances: Array[float] = []
-		for i in range(1, listed["ends"].size()):
-			if listed["are_carded"][i] and listed["ends"][i - 1] < THINNED:
-				distances.append(1.02 * listed["ends"][i - 1])
-		check(distances.size() > 0, "%s has cards" % name)
-		var shown := await _pictures(distances)
-		_field.levels = [PlantFieldLevel.of(64)]
-		await settled(_field)
-		var whole := await _pictures(distances)
-		for i in shown.size():
-			var what := (
-				"%s at %.1f m, from %.1f rad" % [name, distances[i / 2], HIGH if i % 2 else LOW]
-			)
-			var share: float = _pixels(shown[i]) / _pixels(whole[i])
-			check(share > 0.85 and share < 1.15, "%s covers %.2f" % [what, share])
-			var apart := _mean(shown[i]).distance_to(_mean(whole[i]))
-			check(apart < 0.03, "%s differs in colour by %.3f" % [what, apart])
-		_field.free()
+		for pair in await _pairs_of(name):
+			var share := _pixels(pair.shown) / _pixels(pair.whole)
+			check(share > 0.85 and share < 1.15, "%s covers %.2f" % [pair.what, share])
+			var apart := _mean(pair.shown).distance_to(_mean(pair.whole))
+			check(apart < 0.03, "%s differs in colour by %.3f" % [pair.what, apart])
 
 
 func test_flowers_with_cards_cover_as_much_from_the_side_and_from_above() -> void:
 	stage.size = Vector2i(FINE, FINE)
 	for name in FLOWERS:
-		await _sow(name, 1)
-		var ends: PackedFloat32Array = _field.get_statistics()["levels"][0]["ends"]
-		var are_carded: PackedByteArray = _field.get_statistics()["levels"][0]["are_carded"]
-		var distances: Array[float] = []
-		for i in range(1, ends.size()):
-			if are_carded[i] and ends[i - 1] < THINNED:
-				distances.append(1.02 * ends[i - 1])
-		check(distances.size() > 0, "%s has cards" % name)
-		var shown := await _pictures(distances)
-		_field.levels = [PlantFieldLevel.of(64)]
-		await settled(_field)
-		var whole := await _pictures(distances)
-		for i in shown.size():
-			var share: float = _pixels(shown[i]) / _pixels(whole[i])
-			var where := "%.1f m, from %.1f rad" % [distances[i / 2], HIGH if i % 2 else LOW]
-			check(share > 0.9 and share < 1.1, "%s at %s covers %.2f" % [name, where, share])
-		_field.free()
+		for pair in await _pairs_of(name, 1):
+			var share := _pixels(pair.shown) / _pixels(pair.whole)
+			check(share > 0.9 and share < 1.1, "%s covers %.2f" % [pair.what, share])
 
 
 func test_cards_turn_to_the_camera() -> void:
@@ -89,6 +68,30 @@ func test_cards_turn_to_the_camera() -> void:
 		counts.append(_pixels(await picture()))
 	check(counts.min() > 0.6 * counts.max(), "pixels by direction: %s" % [counts])
 	_field.free()
+
+
+## Pictures of a species at the near end of each near level with cards, and without levels.
+func _pairs_of(name: String, variants := 4) -> Array[Pair]:
+	await _sow(name, variants)
+	var listed: Dictionary = _field.get_statistics()["levels"][0]
+	var distances: Array[float] = []
+	for i in range(1, listed["ends"].size()):
+		if listed["are_carded"][i] and listed["ends"][i - 1] < THINNED:
+			distances.append(1.02 * listed["ends"][i - 1])
+	check(distances.size() > 0, "%s has cards" % name)
+	var shown := await _pictures(distances)
+	_field.levels = [PlantFieldLevel.of(64)]
+	await settled(_field)
+	var whole := await _pictures(distances)
+	var pairs: Array[Pair] = []
+	for i in shown.size():
+		var pair := Pair.new()
+		pair.what = "%s at %.1f m, from %.1f rad" % [name, distances[i / 2], HIGH if i % 2 else LOW]
+		pair.shown = shown[i]
+		pair.whole = whole[i]
+		pairs.append(pair)
+	_field.free()
+	return pairs
 
 
 func _sow(name: String, variants := 4) -> void:

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace undergrowth {
 
@@ -242,14 +243,13 @@ glm::vec2 enclosing_edge(const float (&heights)[HEAD_VIEW_COUNT]) {
 }
 
 /// With the border of the pictures.
-HeadOutline outline_of(const FlatParts &parts, int width, int height) {
-	const CardBox box = parts.box();
+HeadOutline outline_of(const CardBox &box, const std::vector<std::vector<CardTriangle>> &views, int width, int height) {
 	HeadOutline outline;
 	outline.middle = 0.5f * (box.low + box.high);
 	float lows[HEAD_VIEW_COUNT], highs[HEAD_VIEW_COUNT];
 	for (int view = 0; view < HEAD_VIEW_COUNT; view++) {
 		lows[view] = highs[view] = -1e9f;
-		for (const CardTriangle &triangle : parts.seen_from(HEAD_VIEWS[view], outline.middle)) {
+		for (const CardTriangle &triangle : views[static_cast<size_t>(view)]) {
 			for (const Corner &corner : triangle.corners) {
 				lows[view] = std::max(lows[view], -corner.y);
 				highs[view] = std::max(highs[view], corner.y);
@@ -299,11 +299,17 @@ std::vector<CardPicture> draw_card(const PlantForm &form, const CardPlaces &all,
 	if (shape != CardShape::head) {
 		return { draw(parts.triangles, bordered(parts.box(), width, height), width, height) };
 	}
-	outline = outline_of(parts, width, height);
-	std::vector<CardPicture> pictures;
+	const CardBox whole = parts.box();
+	std::vector<std::vector<CardTriangle>> views;
 	for (const float sine : HEAD_VIEWS) {
-		const CardBox box = { head_edge(outline.low, sine), head_edge(outline.high, sine), outline.half };
-		pictures.push_back(draw(parts.seen_from(sine, outline.middle), box, width, height));
+		views.push_back(parts.seen_from(sine, 0.5f * (whole.low + whole.high)));
+	}
+	outline = outline_of(whole, views, width, height);
+	std::vector<CardPicture> pictures;
+	for (size_t i = 0; i < views.size(); i++) {
+		const CardBox box = { head_edge(outline.low, HEAD_VIEWS[i]), head_edge(outline.high, HEAD_VIEWS[i]),
+			outline.half };
+		pictures.push_back(draw(std::move(views[i]), box, width, height));
 	}
 	return pictures;
 }

@@ -179,12 +179,6 @@ bool FieldRuntime::update_levels() {
 	FieldRenderSetup fitted = outline_of(setup);
 	fitted.levels = wanted;
 	fitted.rule = read_level_rule(properties, sight_range_of(node));
-	for (size_t i = 0; i < setup.styles.size(); i++) {
-		fitted.styles[i].errors = setup.styles[i].errors;
-		fitted.styles[i].are_carded = setup.styles[i].are_carded;
-		fitted.styles[i].density = setup.styles[i].density;
-		fitted.styles[i].mean_scale = setup.styles[i].mean_scale;
-	}
 	if (is_listed_so(setup, properties)) {
 		read_densities(properties, fitted);
 	}

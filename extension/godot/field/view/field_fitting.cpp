@@ -24,8 +24,8 @@ static constexpr float MIN_MARGIN = 1e-3f; // m.
 // Pixels per radian in the middle of a picture of 1080 lines with a vertical angle of view of 75°.
 static constexpr float PIXELS_OF_RADIAN = 703.7f;
 static constexpr float NEAREST = 0.5f; // m: a level that ends nearer is not used.
-static constexpr float MAX_SHARE_OF_NEXT = 0.8f; // A level that begins later than at this share of its end is not used.
-// The same for solid levels after one with cards, which begin nearer than this (m): their forms differ visibly.
+static constexpr float MAX_SHARE_OF_NEXT = 0.8f; // Largest begin of a level, as a share of its end.
+// The same for solid levels after one with cards that begin nearer than SOLID_SEEN_END (m). Their forms visibly differ.
 static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.65f;
 static constexpr float SOLID_SEEN_END = 5.0f;
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
@@ -93,6 +93,13 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 	return begins;
 }
 
+// A level that begins later than at this share of its end is not used.
+static float max_share_of_next(const LevelRule &rule, const SpeciesStyle &style, size_t level, float begin) {
+	const std::vector<bool> &carded = style.are_carded;
+	const bool is_after_cards = level > 0 && level < carded.size() && carded[level - 1] && !carded[level];
+	return is_after_cards && begin < SOLID_SEEN_END * rule.lod_bias ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
+}
+
 // Marks the levels that a species uses, and sets their distances.
 static void set_distances(const LevelRule &rule, const SpeciesStyle &style, const std::vector<float> &begins,
 		std::vector<FieldLevel> &levels) {
@@ -101,10 +108,7 @@ static void set_distances(const LevelRule &rule, const SpeciesStyle &style, cons
 	for (size_t i = levels.size(); i-- > 0;) {
 		FieldLevel &level = levels[i];
 		const bool is_beyond = rule.range_end > 0.0f && begins[i] >= rule.range_end;
-		const std::vector<bool> &carded = style.are_carded;
-		const bool is_after_cards = i > 0 && i < carded.size() && carded[i - 1] && !carded[i];
-		const bool is_coarse = is_after_cards && begins[i] < SOLID_SEEN_END * rule.lod_bias;
-		const float max_share = is_coarse ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
+		const float max_share = max_share_of_next(rule, style, i, begins[i]);
 		const bool is_short = !is_last && (next <= NEAREST || begins[i] >= max_share * next);
 		level.is_used = i == 0 ? is_last || next > NEAREST : !is_beyond && !is_short;
 		level.begin = level.is_used ? begins[i] : 0.0f;

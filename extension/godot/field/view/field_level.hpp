@@ -14,8 +14,8 @@ struct FieldLevel {
 	float end = 0.0f; ///< m; 0: no end.
 	float margin = 2.0f; ///< Length of the transition from the previous level (m), > 0.
 	float end_margin = 2.0f; ///< Length of the transition to the next level (m), > 0.
-	int halvings = 0; ///< How often the number of variants is halved,
-	int min_variants = 1; ///< but at least this many remain of a species that has as many.
+	int halvings = 0; ///< How often the number of variants is halved.
+	int min_variants = 1; ///< Minimum number of variants, if the species has as many.
 	bool is_used = true; ///< False: the species skips this level.
 	bool is_near = false; ///< True: its plants are drawn one by one around the cameras (NearPlants), not in squares.
 	int tile_factor = 1; ///< Width of its multimeshes, in tiles.

@@ -17,6 +17,10 @@ FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
 		some.detail = style.detail;
 		some.is_by_error = style.is_by_error;
 		some.levels = style.levels;
+		some.errors = style.errors;
+		some.are_carded = style.are_carded;
+		some.density = style.density;
+		some.mean_scale = style.mean_scale;
 		some.variants = style.variants;
 		some.meshes = style.meshes;
 		some.motion = style.motion;

@@ -37,7 +37,7 @@ struct FieldRenderSetup {
 	}
 };
 
-/// Copies the parts of a setup that plans and prepared chunks need.
+/// Copies the parts of a setup that fit_levels(), plans and prepared chunks need.
 FieldRenderSetup outline_of(const FieldRenderSetup &setup);
 
 /// Properties of an instance besides its mesh: the engine's own properties of the node.
