@@ -91,7 +91,7 @@ func test_the_calm_plant_of_a_mesh_is_that_of_its_bones() -> void:
 			var bone := bones[k]
 			var from_rest := skeleton.get_bone_global_rest(bone).affine_inverse()
 			place += weights[k] * (skeleton.get_bone_global_pose(bone) * from_rest * places[i])
-		var reported := Vector2(calm[4 * i + 1], calm[4 * i + 2])
+		var reported := Vector2(calm[4 * i + 2], calm[4 * i + 3])
 		farthest = maxf(farthest, reported.distance_to(Vector2(place.x, place.z)))
 		leant = maxf(leant, reported.distance_to(Vector2(places[i].x, places[i].z)))
 	check(leant > 0.05, "it leans by %f m" % leant)

@@ -194,7 +194,7 @@ func _root(of: PackedInt32Array, vertex: int) -> int:
 ## As undergrowth_bend_stem() bends it, for a stem that is an arc of a circle.
 func _bent(place: Vector3, vertex: int, arrays: Array) -> Vector3:
 	var offset: float = arrays[Mesh.ARRAY_CUSTOM0][4 * vertex]
-	var x: float = arrays[Mesh.ARRAY_CUSTOM3][4 * vertex + 3]
+	var x: float = arrays[Mesh.ARRAY_CUSTOM3][4 * vertex + 1]
 	var height := _height(arrays)
 	var centre := Vector3.ZERO
 	var steps := 32

@@ -15,9 +15,13 @@ namespace {
 // Light in a canopy decreases exponentially with the leaf area above (Beer-Lambert).
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
 constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
-constexpr float MAX_RANK = 0.999f; // The code of the venation is added to the rank.
+constexpr float RANK_STEPS = 256.0f; // The sum of the rank and the code of the venation fits into a half float.
 constexpr float MAX_WIDENING = 12.0f;
 constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
+
+float rounded_rank(float rank) {
+	return std::floor(std::min(rank, 1.0f - 1.0f / RANK_STEPS) * RANK_STEPS) / RANK_STEPS;
+}
 
 } // namespace
 
@@ -59,7 +63,9 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 	const float x = attachment.is_root ? stem_offset_of(form, middle) : attachment.stem_offset;
 	out.stem_places[i] = attachment.is_root ? x : attachment.stem_place;
 	const float weight = attachment.weight_at(offset);
-	out.custom0[i] = { x, weight, common.veins + std::min(attachment.rank, MAX_RANK), common.leafiness };
+	const bool is_card = common.veins >= static_cast<float>(FIRST_CARD_CODE);
+	const float rank = is_card ? 0.0f : rounded_rank(attachment.rank);
+	out.custom0[i] = { x, weight, common.veins + rank, common.leafiness };
 	out.custom1[i] = glm::vec4(attachment.pivot, common.swing.pace);
 	out.custom2[i] = glm::vec4(aside, common.swing.place);
 	skeleton.bind(attachment.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);

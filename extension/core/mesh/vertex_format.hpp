@@ -26,11 +26,12 @@ namespace undergrowth {
 //           y: own bend weight: fraction of its part's swing that turns the vertex about its pivot. 0 at the
 //              attachment, 1 at the tip. 0 on stems and on bodies of many parts. Parts on a swinging part have the
 //              weight of their attachment. A head (all short parts on and around a stem's tip) has 1 everywhere.
-//           z: rank, 0 to 0.999: the part is drawn if its rank is below the fraction of parts at a distance. Ranks are
-//              in golden-ratio order, so that the remaining parts are spread evenly. At least the rank of the carrier.
+//           z: rank, 0 to 255/256 in steps of 1/256: the part is drawn if its rank is below the fraction of parts at a
+//              distance. Ranks are in golden-ratio order, so that the remaining parts are spread evenly. At least the
+//              rank of the carrier.
 //              Its whole part is the venation: 0 none, 1 parallel, 2 pinnate, 3 palmate, 4 radial. From 8 on the vertex
 //              belongs to a card: 8 + 4·layer + turn (mesh/card_strip.hpp), turn: 0 fixed, 1 turned about its axis, 2
-//              a head, turned to the camera, whose first layer this is.
+//              a head, turned to the camera, whose first layer this is. Cards have no rank.
 //           w: leafiness, 0 to 1: transmitted fraction of the light from behind.
 // CUSTOM1   xyz: pivot (m): the attachment of the part, about which its own swing turns it. w: frequency and damping
 //           of that swing, PartMotionCode::pace (plant/part_motion.hpp).
@@ -39,11 +40,11 @@ namespace undergrowth {
 //           w: phase and side of the swing, PartMotionCode::place; different for neighbours.
 // CUSTOM3   x: height of the plant in the mesh (m), equal at all vertices: a stem that bends along its length needs it
 //              for the height of an offset. A lathe has none; its offset contains it.
-//           y, z: for a plant on a skeleton, x and z (m) of the vertex in calm air: the light on bent plants depends on
-//              the distance from there. For all other plants, x and z of VERTEX.
-//           w: stem place: position of the attachment on the plant's stem, 0 root to 1 tip. The stem offset is larger,
-//              by (w - a)(b - w)/w between two rows a and b of the stem, because the mesh draws the stem straight
-//              there. A stem that bends along its length uses w, and its curvature for the difference.
+//           y: stem place: position of the attachment on the plant's stem, 0 root to 1 tip. The stem offset is larger,
+//              by (y - a)(b - y)/y between two rows a and b of the stem, because the mesh draws the stem straight
+//              there. A stem that bends along its length uses y, and its curvature for the difference.
+//           z, w: for a plant on a skeleton, x and z (m) of the vertex in calm air: the light on bent plants depends on
+//              the distance from there. For all other plants, x and z of VERTEX. Meshes of fields have none.
 // BONES, WEIGHTS  root and tip: (1 - x, x, 0, 0) with the stem offset x. In skeletons with bones of parts, those get
 //           the fraction of the own bend weight (mesh/form_bones.hpp). If stems have joints, their bones get the
 //           weights of root and tip (mesh/joint_binding.hpp).
@@ -75,7 +76,7 @@ struct FormBuffers {
 	int32_t *bones = nullptr; ///< Four per vertex.
 	float *weights = nullptr; ///< Four per vertex; they sum to 1 exactly.
 	int32_t *indices = nullptr;
-	float *stem_places = nullptr; ///< w of CUSTOM3.
+	float *stem_places = nullptr; ///< y of CUSTOM3.
 };
 
 } // namespace undergrowth

@@ -75,8 +75,8 @@ static Array packed(const FormArrays &from) {
 	return arrays;
 }
 
-// Returns CUSTOM3 of every vertex: the height of the shown plant, x and z in calm air, and the position of attachment
-// on the stem.
+// Returns CUSTOM3 of every vertex: the height of the shown plant, the position of attachment on the stem, and x and z
+// in calm air.
 static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays &arrays) {
 	PackedFloat32Array all;
 	all.resize(4 * arrays.positions.size());
@@ -91,9 +91,9 @@ static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays 
 			place += bones[size_t(arrays.bones[k])].xform(arrays.positions[i]) * arrays.weights[k];
 		}
 		*to++ = sampled.height;
+		*to++ = arrays.stem_places[i];
 		*to++ = float(place.x);
 		*to++ = float(place.z);
-		*to++ = arrays.stem_places[i];
 	}
 	return all;
 }
