@@ -1,6 +1,9 @@
 #include "species/shared_mesh.hpp"
 
 #include "form/shared_cards.hpp"
+#include "species/compact_arrays.hpp"
+
+#include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -139,6 +142,12 @@ float SharedMesh::outline_error(const LevelError &whole) {
 	return whole.of(level, cards);
 }
 
+static bool reads_half_floats() {
+	static const bool reads =
+			RenderingServer::get_singleton()->get_current_rendering_method() != String("gl_compatibility");
+	return reads;
+}
+
 // The engine may wait for the main thread while it creates a mesh, so this does not hold the lock. If two threads
 // create it at the same time, one drops its own.
 Ref<ArrayMesh> SharedMesh::make() {
@@ -150,7 +159,7 @@ Ref<ArrayMesh> SharedMesh::make() {
 		}
 		from = arrays;
 	}
-	const Ref<ArrayMesh> made = from.make();
+	const Ref<ArrayMesh> made = compact_arrays(from, reads_half_floats()).make();
 	const std::lock_guard<std::mutex> lock(building);
 	if (mesh.is_null()) {
 		mesh = made;

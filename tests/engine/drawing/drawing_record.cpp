@@ -29,6 +29,7 @@ Array DrawingRecord::get_instances() {
 		one["begin"] = instance.begin;
 		one["end"] = instance.end;
 		one["box"] = multimesh.box;
+		one["mesh"] = int64_t(multimesh.mesh);
 		one["shown"] = multimesh.shown;
 		one["buffer"] = buffer;
 		found.push_back(one);

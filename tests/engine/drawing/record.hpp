@@ -12,6 +12,7 @@ namespace recorder {
 
 struct Multimesh {
 	int64_t shown = -1; ///< Instances; -1: all.
+	uint64_t mesh = 0; ///< A RID.
 	godot::AABB box; ///< Field axes, m.
 	std::vector<float> buffer;
 };

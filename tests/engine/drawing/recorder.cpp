@@ -60,6 +60,11 @@ void note_box(Arguments arguments, GDExtensionTypePtr) {
 	record().multimeshes[rid_of(arguments[0])].box = argument<AABB>(arguments, 1);
 }
 
+void note_mesh(Arguments arguments, GDExtensionTypePtr) {
+	const std::lock_guard<std::mutex> lock(record().mutex);
+	record().multimeshes[rid_of(arguments[0])].mesh = rid_of(arguments[1]);
+}
+
 void note_shown(Arguments arguments, GDExtensionTypePtr) {
 	const std::lock_guard<std::mutex> lock(record().mutex);
 	record().multimeshes[rid_of(arguments[0])].shown = argument<int64_t>(arguments, 1);
@@ -138,6 +143,7 @@ struct Recorded {
 Recorded all_recorded[] = {
 	{ "multimesh_set_buffer", note_buffer },
 	{ "multimesh_set_custom_aabb", note_box },
+	{ "multimesh_set_mesh", note_mesh },
 	{ "multimesh_set_visible_instances", note_shown },
 	{ "instance_create2", note_instance },
 	{ "instance_set_visible", note_visible },
