@@ -17,12 +17,14 @@ namespace undergrowth {
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-static Ref<Shader> *shaders[3] = { nullptr, nullptr, nullptr }; // For lathes, for parts, and for parts with cards.
+static Ref<Shader> *shaders[4] = { nullptr, nullptr, nullptr,
+	nullptr }; // For lathes, parts, parts with cards, and shadows.
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 
-static const char *const SHADER_PATHS[3] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
-	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_cards.gdshader" };
+static const char *const SHADER_PATHS[4] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
+	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_cards.gdshader",
+	"res://addons/undergrowth/shaders/plant_shadows.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
@@ -75,6 +77,10 @@ Ref<Shader> plant_shader(bool of_parts) {
 
 Ref<Shader> cards_shader() {
 	return load_shader(2);
+}
+
+Ref<Shader> shadows_shader() {
+	return load_shader(3);
 }
 
 static bool is_main_thread() {

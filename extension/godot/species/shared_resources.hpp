@@ -26,6 +26,8 @@ godot::Ref<godot::Shader> plant_shader(bool of_parts);
 
 /// Returns the add-on's shader of plants of parts with cards. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> cards_shader();
+/// Returns the add-on's shader of plants of parts that only cast shadows. Stays loaded as plant_shader() does.
+godot::Ref<godot::Shader> shadows_shader();
 
 /// Returns the skin of the two bones, root and tip. All plants share it.
 godot::Ref<godot::Skin> plant_skin();

@@ -33,13 +33,16 @@ static void take_over(const Ref<BaseMaterial3D> &source, const Ref<ShaderMateria
 	set_parameter(made, "backlight", has_backlight ? source->get_backlight() : Color(0.0f, 0.0f, 0.0f));
 }
 
-// The add-on's shader of plants of parts draws cards in another version with the same parameters.
-static Ref<Shader> drawing_shader(const Ref<Shader> &shader, bool has_cards) {
-	return has_cards && shader == plant_shader(true) ? cards_shader() : shader;
+// The add-on's shader of plants of parts has versions with the same parameters.
+static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn) {
+	if (drawn == DrawnParts::solid || shader != plant_shader(true)) {
+		return shader;
+	}
+	return drawn == DrawnParts::with_cards ? cards_shader() : shadows_shader();
 }
 
-static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made, bool has_cards) {
-	const Ref<Shader> shader = drawing_shader(source->get_shader(), has_cards);
+static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn) {
+	const Ref<Shader> shader = version_of(source->get_shader(), drawn);
 	if (made->get_shader() != shader) {
 		made->set_shader(shader);
 	}
@@ -53,25 +56,25 @@ static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMateria
 	}
 }
 
-void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made, bool has_cards) {
+void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn) {
 	const Ref<ShaderMaterial> own = source;
 	const Ref<BaseMaterial3D> plain = source;
 	if (own.is_valid()) {
-		take_over(own, made, has_cards);
+		take_over(own, made, drawn);
 	} else if (plain.is_valid()) {
 		take_over(plain, made);
 	}
 }
 
-Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts, bool has_cards) {
+Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts, DrawnParts drawn) {
 	const Ref<ShaderMaterial> own = source;
 	if (own.is_valid()) {
 		const Ref<ShaderMaterial> copy = own->duplicate();
-		copy->set_shader(drawing_shader(own->get_shader(), has_cards));
+		copy->set_shader(version_of(own->get_shader(), drawn));
 		return copy;
 	}
 	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
-	made->set_shader(has_cards ? cards_shader() : plant_shader(of_parts));
+	made->set_shader(of_parts ? version_of(plant_shader(true), drawn) : plant_shader(false));
 	const Ref<BaseMaterial3D> plain = source;
 	if (plain.is_valid()) {
 		take_over(plain, made);

@@ -7,16 +7,19 @@ namespace undergrowth {
 
 // Materials of a field's plants, made from the material of a species. Main thread.
 
+/// What a material of plants of parts draws.
+enum class DrawnParts { solid, with_cards, shadows };
+
 /// Returns a new material that bends plants. A ShaderMaterial as `source` is copied. A BaseMaterial3D gives a material
 /// with the add-on's shader and the source's colours, textures and roughness; null gives that shader with its defaults.
-/// `of_parts`: uses the shader for plants of parts, or for those with cards.
+/// `of_parts`: uses the shader for plants of parts, in the version for what it draws.
 godot::Ref<godot::ShaderMaterial> make_field_material(
-		const godot::Ref<godot::Material> &source, bool of_parts, bool has_cards = false);
+		const godot::Ref<godot::Material> &source, bool of_parts, DrawnParts drawn = DrawnParts::solid);
 
 /// Copies the parameters of `source` to `made` after the user changed them: colours, textures and roughness of a
 /// BaseMaterial3D, or all shader parameters of a ShaderMaterial.
 void follow_material(
-		const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made, bool has_cards);
+		const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made, DrawnParts drawn);
 
 /// Sets a shader parameter if its value differs, because writing a parameter costs more than reading it.
 void set_parameter(

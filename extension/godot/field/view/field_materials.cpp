@@ -43,7 +43,7 @@ Ref<ShaderMaterial> FieldMaterials::make_one(const SpeciesStyle &style, size_t l
 	// After a change to a material without cards, the present meshes still have them until the next build.
 	const bool has_other = has_cards && style.has_other_cards(node->get_material_override());
 	const Ref<Material> source = has_other ? Ref<Material>() : source_material(style);
-	const Ref<ShaderMaterial> made = make_field_material(source, style.has_parts(), has_cards);
+	const Ref<ShaderMaterial> made = make_field_material(source, style.has_parts(), style.drawn_parts(level));
 	if (has_cards) {
 		made->set_shader_parameter("undergrowth_card_colors", style.cards->colors());
 		made->set_shader_parameter("undergrowth_card_surfaces", style.cards->surfaces());
@@ -198,7 +198,7 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 		return; // Until the next build.
 	}
 	for (size_t i = 0; i < style.materials.size(); i++) {
-		follow_material(source_material(style), style.materials[i], style.is_carded(i));
+		follow_material(source_material(style), style.materials[i], style.drawn_parts(i));
 	}
 }
 

@@ -83,6 +83,9 @@ String SpeciesStyle::sample_next(
 
 void SpeciesStyle::load_shader() const {
 	plant_shader(motion.has_parts);
+	if (motion.has_parts) {
+		shadows_shader();
+	}
 	if (cards) {
 		cards_shader();
 	}
@@ -152,6 +155,14 @@ bool SpeciesStyle::is_carded(size_t material) const {
 		level = size_t(caster - levels.begin());
 	}
 	return level < are_carded.size() && are_carded[level];
+}
+
+// The nearest plants swing in the shadows, too.
+DrawnParts SpeciesStyle::drawn_parts(size_t material) const {
+	if (is_carded(material)) {
+		return DrawnParts::with_cards;
+	}
+	return material == levels.size() ? DrawnParts::shadows : DrawnParts::solid;
 }
 
 // Plants of parts are sampled with all variants at all levels. The samples of the first used level are kept for plants

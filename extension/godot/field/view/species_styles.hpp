@@ -1,6 +1,7 @@
 #pragma once
 
 #include "field/view/field_level.hpp"
+#include "field/view/field_material.hpp"
 #include "motion/motion_page.hpp"
 #include "placement/plants.hpp"
 #include "species/plant_function.hpp"
@@ -103,6 +104,8 @@ struct SpeciesStyle {
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
 	/// True if a material draws cards: those of the levels, and the two for shadows.
 	bool is_carded(size_t material) const;
+	/// Returns what a material draws.
+	DrawnParts drawn_parts(size_t material) const;
 	/// True if its plants consist of parts.
 	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
 	/// Mean of its variants (m).
