@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "base/world_of.hpp"
 #include "field/view/cameras.hpp"
+#include "plants/plant_simulation.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
@@ -34,6 +35,7 @@ FieldRuntime::~FieldRuntime() {
 FieldMotion::Frame FieldRuntime::frame(double delta, const Ref<PlantWind> &wind) const {
 	FieldMotion::Frame now;
 	now.delta = delta;
+	now.steps = PlantSimulation::get_singleton()->frame_steps();
 	now.axes = axes_of(node);
 	now.wind = wind;
 	now.tree = node->get_tree();

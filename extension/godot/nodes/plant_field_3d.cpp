@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "field/build/field_areas.hpp"
 #include "field/field_inspector.hpp"
+#include "plants/plant_simulation.hpp"
 
 #include <limits>
 #include <type_traits>
@@ -111,6 +112,21 @@ bool PlantField3D::may_simulate() const {
 	return properties.simulation_enabled && !runs_in_editor();
 }
 
+bool PlantField3D::begin_frame(uint64_t number) {
+	const bool steps = may_simulate() && can_process() && runtime.can_step();
+	begun_frame = steps ? number : begun_frame;
+	return steps;
+}
+
+void PlantField3D::follow_simulation(bool on) {
+	PlantSimulation *simulation = PlantSimulation::get_singleton();
+	if (simulation && on && !runs_in_editor()) {
+		simulation->enter(this);
+	} else if (simulation && !on) {
+		simulation->leave(this);
+	}
+}
+
 // A handler of `filled` may remove the field from the tree.
 void PlantField3D::poll(double delta, bool physics) {
 	if (!dirty.is_clean()) {
@@ -154,7 +170,8 @@ void PlantField3D::process_frame() {
 	if (dependencies.is_time()) {
 		poll_dependencies();
 	}
-	const double stepping = runtime.advance(get_process_delta_time(), may_simulate());
+	const bool steps = may_simulate() && begun_frame == PlantSimulation::get_singleton()->frame_steps().frame;
+	const double stepping = runtime.advance(get_process_delta_time(), steps);
 	if (may_simulate()) {
 		problems.report_motion(runtime.motion);
 		report_bodies();
@@ -198,6 +215,7 @@ void PlantField3D::_notification(int what) {
 			set_notify_transform(true);
 			set_process_internal(true);
 			FieldMonitors::enter(&runtime, this);
+			follow_simulation(true);
 			runtime.enter_tree();
 			frames.follow_drawing(true);
 			dirty.enter_tree();
@@ -210,6 +228,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_EXIT_TREE:
 			frames.follow(false);
 			FieldMonitors::leave(&runtime);
+			follow_simulation(false);
 			frames.follow_drawing(false);
 			runtime.exit_tree();
 			break;
@@ -217,6 +236,7 @@ void PlantField3D::_notification(int what) {
 			species.follow();
 			dirty.mark_style();
 			dirty.mark_placement();
+			follow_simulation(is_inside_tree());
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();

@@ -5,6 +5,7 @@
 #include "base/messages.hpp"
 #include "field/motion/step_batch.hpp"
 #include "nodes/plant_3d.hpp"
+#include "nodes/plant_field_3d.hpp"
 #include "species/shared_resources.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
@@ -86,15 +87,42 @@ void PlantSimulation::follow_groups() {
 	are_groups_new = is_contact_dirty = false;
 }
 
+void PlantSimulation::enter(PlantField3D *field) {
+	if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
+		fields.push_back(field);
+	}
+	follow(field->get_tree());
+}
+
+void PlantSimulation::leave(PlantField3D *field) {
+	fields.erase(std::remove(fields.begin(), fields.end(), field), fields.end());
+}
+
+void PlantSimulation::list_winds() {
+	const auto list = [this](const Ref<PlantWind> &wind) {
+		if (wind.is_valid() && (winds.empty() || winds.back() != wind)) {
+			winds.push_back(wind);
+		}
+	};
+	winds.clear();
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		list(group->kind.wind);
+	}
+	for (PlantField3D *field : fields) {
+		if (field->begin_frame(frame.frame)) {
+			list(field->get_wind());
+		}
+	}
+}
+
 void PlantSimulation::step_groups(double ago) {
-	step_number++;
 	air_sources.begin(ago);
 	swings.step(clock.step());
 	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		PlantWind *wind = group->kind.wind.ptr();
 		group->roots.step(ago);
-		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0,
+		group->step(wind ? wind->travelling() : calm, wind ? wind->time_before(1, clock.step()) : 0.0,
 				air_sources.in(group->kind.forces.world));
 	}
 }
@@ -107,6 +135,10 @@ void PlantSimulation::step(double ago, bool is_first) {
 	}
 	if (is_pushed && is_first) {
 		bodies.report_touches();
+	}
+	step_number++;
+	for (const Ref<PlantWind> &wind : winds) {
+		Ref<PlantWind>(wind)->advance_step(step_number, clock.step());
 	}
 	step_groups(ago);
 	if (is_pushed) {
@@ -147,13 +179,17 @@ void PlantSimulation::advance(double delta) {
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		group->roots.watch(group->page, delta);
 	}
-	const int step_count = clock.advance(delta);
-	for (int i = 0; i < step_count; i++) {
+	const uint64_t number = frame.frame + 1;
+	frame = { number, clock.advance(delta), clock.step(), clock.alpha() };
+	list_winds();
+	for (int i = 0; i < frame.count; i++) {
 		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MAX_STEPPING_TIME) {
-			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
+			frame.count = i; // Drops the remaining steps, so that a slow frame does not slow down the next one.
+			break;
 		}
-		step(clock.step() * (double(clock.alpha()) + step_count - 1 - i), i == 0);
+		step(frame.ago(i), i == 0);
 	}
+	winds.clear();
 	if (bodies.are_needed() || contact.is_needed()) {
 		report_warnings();
 	}
@@ -216,6 +252,9 @@ void PlantSimulation::set_step_length(double seconds) {
 	drop_empty_groups();
 	for (Plant3D *plant : all_plants) {
 		plant->update_simulation();
+	}
+	for (PlantField3D *field : fields) {
+		field->on_step_length_changed();
 	}
 }
 

@@ -1,4 +1,4 @@
-#include "field/motion/field_wind_clock.hpp"
+#include "field/motion/wind_in_field.hpp"
 
 #include "base/convert.hpp"
 
@@ -7,8 +7,6 @@
 using namespace godot;
 
 namespace undergrowth {
-
-static constexpr double LARGEST_DRIFT = 2.5; // Difference of two clocks that counts as equal, in steps.
 
 // Position and axes of a field's ground in the world, seen from above.
 static AirAxes horizontal_axes(const Transform3D &axes) {
@@ -35,27 +33,6 @@ FieldWind field_wind(const Ref<PlantWind> &wind, const Transform3D &axes, double
 	blowing.wind.direction = std::atan2(direction.x, direction.z);
 	blowing.speed *= std::sqrt(direction.x * direction.x + direction.z * direction.z); // In metres of the field's axes.
 	return blowing;
-}
-
-void FieldWindClock::follow(const Ref<PlantWind> &wind, int steps, double step, double motion_time) {
-	const uint64_t id = wind.is_valid() ? uint64_t(wind->get_instance_id()) : 0;
-	if (id != seen) {
-		seen = id;
-		seen_time = -1.0;
-	}
-	if (wind.is_null()) {
-		return;
-	}
-	const double advance = steps * step;
-	const bool is_first = seen_time < 0.0;
-	if (is_first ? !wind->has_advanced_in_frame() : wind->get_time() == seen_time) {
-		wind->advance(advance);
-	}
-	seen_time = wind->get_time();
-	const double ahead_now = seen_time - advance - motion_time;
-	if (is_first || std::fabs(ahead_now - offset) > LARGEST_DRIFT * step) {
-		offset = ahead_now;
-	}
 }
 
 } // namespace undergrowth
