@@ -118,12 +118,14 @@ bool PlantField3D::begin_frame(uint64_t number) {
 	return steps;
 }
 
-void PlantField3D::follow_simulation(bool on) {
+void PlantField3D::follow_simulation() {
 	PlantSimulation *simulation = PlantSimulation::get_singleton();
-	if (simulation && on && !runs_in_editor()) {
-		simulation->enter(this);
-	} else if (simulation && !on) {
-		simulation->leave(this);
+	if (!simulation || !is_inside_tree()) {
+		return;
+	}
+	simulation->enter(this);
+	if (!runs_in_editor()) {
+		simulation->follow(get_tree());
 	}
 }
 
@@ -214,8 +216,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
 			set_process_internal(true);
-			FieldMonitors::enter(&runtime, this);
-			follow_simulation(true);
+			follow_simulation();
 			runtime.enter_tree();
 			frames.follow_drawing(true);
 			dirty.enter_tree();
@@ -227,8 +228,9 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			frames.follow(false);
-			FieldMonitors::leave(&runtime);
-			follow_simulation(false);
+			if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {
+				simulation->leave(this);
+			}
 			frames.follow_drawing(false);
 			runtime.exit_tree();
 			break;
@@ -236,7 +238,7 @@ void PlantField3D::_notification(int what) {
 			species.follow();
 			dirty.mark_style();
 			dirty.mark_placement();
-			follow_simulation(is_inside_tree());
+			follow_simulation();
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();

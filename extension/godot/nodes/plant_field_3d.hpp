@@ -89,7 +89,7 @@ private:
 	static void bind_properties();
 	void changed(About about);
 	bool may_simulate() const;
-	void follow_simulation(bool on);
+	void follow_simulation();
 	void poll(double delta, bool physics);
 	void process_frame();
 	void poll_dependencies();
@@ -147,6 +147,8 @@ public:
 	/// Called by PlantSimulation before nodes process in frame `number`. Returns true if the field takes part in the
 	/// steps of this frame.
 	bool begin_frame(uint64_t number);
+	/// Value of a Performance monitor, by its index.
+	double read_monitor(int which) const { return FieldMonitors::read(runtime, which); }
 	/// Called by PlantSimulation when its steps have another length.
 	void on_step_length_changed() { dirty.mark_style(); }
 
@@ -163,7 +165,6 @@ public:
 	void on_frame_ending();
 	void on_physics_frame();
 	void on_frame_drawn();
-	double monitor(int which) const { return FieldMonitors::sum(which); }
 
 	// Users' properties that are not only a Setting.
 	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);

@@ -88,14 +88,27 @@ void PlantSimulation::follow_groups() {
 }
 
 void PlantSimulation::enter(PlantField3D *field) {
+	if (fields.empty()) {
+		FieldMonitors::add(this);
+	}
 	if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
 		fields.push_back(field);
 	}
-	follow(field->get_tree());
 }
 
 void PlantSimulation::leave(PlantField3D *field) {
 	fields.erase(std::remove(fields.begin(), fields.end(), field), fields.end());
+	if (fields.empty()) {
+		FieldMonitors::remove();
+	}
+}
+
+double PlantSimulation::read_monitor(int which) const {
+	double sum = 0.0;
+	for (const PlantField3D *field : fields) {
+		sum += field->read_monitor(which);
+	}
+	return sum;
 }
 
 void PlantSimulation::list_winds() {
@@ -271,6 +284,7 @@ void PlantSimulation::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_steps_collected"), &PlantSimulation::on_steps_collected);
 	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
 	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
+	ClassDB::bind_method(D_METHOD("_on_monitor_read", "which"), &PlantSimulation::read_monitor);
 	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantSimulation::get_plant_count);
 	ClassDB::bind_method(D_METHOD("get_step_time_usec"), &PlantSimulation::get_step_time_usec);
 	ClassDB::bind_method(D_METHOD("get_pose_time_usec"), &PlantSimulation::get_pose_time_usec);

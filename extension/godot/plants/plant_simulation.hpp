@@ -76,6 +76,8 @@ public:
 	/// Adds a field of the tree. It takes part in the steps of a frame if its begin_frame() allows that.
 	void enter(PlantField3D *field);
 	void leave(PlantField3D *field);
+	/// Sum of a Performance monitor over all fields.
+	double read_monitor(int which) const;
 	/// The steps of the present frame. They are done for plants and winds before nodes process.
 	const FrameSteps &frame_steps() const { return frame; }
 
