@@ -1,12 +1,23 @@
 ## The time of the tips: PlantField3D.get_motion_time().
 extends "res://tests/engine/field_harness.gd"
 
+var _single: PlantField3D
+var _id := 0
+var _plant: Plant3D
+
 
 func before_each() -> void:
 	field = PlantField3D.from_species([TulipFunction.new()])
 	field.size = Vector2(5, 5)
 	field.density = 3.0
 	field.wind = PlantWind.new()
+
+
+func after_each() -> void:
+	super()
+	if is_instance_valid(_single):
+		_single.free()
+		_plant.free()
 
 
 func test_it_is_the_clock_of_the_wind_from_the_first_step_on() -> void:
@@ -60,38 +71,11 @@ func test_fields_of_one_wind_belong_to_its_clock_in_every_order() -> void:
 
 func test_fields_and_plants_of_one_wind_have_exactly_one_time() -> void:
 	await start()
-	var plant := Plant3D.new()
-	plant.species = TulipFunction.new()
-	plant.wind = field.wind
+	await frames(3)
+	_add_single_field()
 	await processed()
-	root.add_child(plant)
-	var other := PlantField3D.new()
-	other.density = 0.0
-	other.wind = field.wind
-	var id := other.add_plants([Transform3D.IDENTITY], plant.species)[0]
-	plant.height = other.get_plant_height(id)
-	await processed()
-	root.add_child(other)
-	# Both begin again, so that they move alike.
-	await frames(5)
-	await processed()
-	plant.reset_motion()
-	other.reset_motion()
-	var steps := 0
-	while steps < 60:
-		var before := field.get_motion_time()
-		await process_frame
-		var time := field.wind.get_time()
-		await processed()
-		steps += 1 if field.get_motion_time() > before else 0
-		check_equal(field.wind.get_time(), time, "the clock within a frame")
-		check_equal(field.get_motion_time(), time, "time of the field")
-		check_equal(other.get_motion_time(), time, "time of the other")
-		# A step moves a tip by far more.
-		check_near(other.get_tip_position(id), plant.get_tip_position(), 1e-5, "tip")
-	check(plant.get_deflection() > 0.01, "they move")
-	plant.free()
-	other.free()
+	_add_plant()
+	await _check_equal_steps(60)
 
 
 func test_the_wind_goes_on_for_one_field_while_the_other_is_paused() -> void:
@@ -128,19 +112,16 @@ func test_a_wind_stops_while_all_its_fields_are_paused() -> void:
 	check(field.wind.get_time() > time, "it goes on")
 
 
-func test_a_field_takes_another_step_length() -> void:
+func test_fields_and_plants_have_one_time_after_a_change_of_the_step_length() -> void:
 	var usual := PlantSimulation.step_length
 	await start()
+	_add_single_field()
+	_add_plant()
+	await frames(5)
 	PlantSimulation.step_length = 0.05
-	await frames(2)
-	await until(
-		func() -> bool: return not field.get_statistics()["is_rebuilding_meshes"], "it is built"
-	)
-	await frames(2)
-	var time := field.get_motion_time()
-	while field.get_motion_time() < time + 0.5:
-		await processed()
-		check_equal(field.get_motion_time(), field.wind.get_time(), "motion time")
+	await frames(1)
+	await until(func() -> bool: return _is_built(field) and _is_built(_single), "both are built")
+	await _check_equal_steps(20)
 	PlantSimulation.step_length = usual
 
 
@@ -156,6 +137,49 @@ func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> 
 					compared += 1
 					check_equal(steps[number], expected[number], "step %s, %s" % [number, kind])
 			check(compared > 50, "%d steps at %d frames, %s" % [compared, rate, kind])
+
+func _is_built(built: PlantField3D) -> bool:
+	return not built.is_building() and not built.get_statistics()["is_rebuilding_meshes"]
+
+
+## Adds a field with one plant in the same wind, at the origin.
+func _add_single_field() -> void:
+	_single = PlantField3D.new()
+	_single.density = 0.0
+	_single.wind = field.wind
+	_id = _single.add_plants([Transform3D.IDENTITY], field.species[0].species)[0]
+	root.add_child(_single)
+
+
+## Adds a [Plant3D] that is equal to that plant.
+func _add_plant() -> void:
+	_plant = Plant3D.new()
+	_plant.species = field.species[0].species
+	_plant.height = _single.get_plant_height(_id)
+	_plant.wind = field.wind
+	root.add_child(_plant)
+
+
+## Checks in each frame of [param count] steps that both fields and the plant have the time of the
+## wind, and that the plant and that of the field move alike.
+func _check_equal_steps(count: int) -> void:
+	await frames(5)
+	await processed()
+	_plant.reset_motion()
+	_single.reset_motion()
+	var steps := 0
+	while steps < count:
+		var before := field.get_motion_time()
+		await process_frame
+		var time := field.wind.get_time()
+		await processed()
+		steps += 1 if field.get_motion_time() > before else 0
+		check_equal(field.wind.get_time(), time, "the clock within a frame")
+		check_equal(field.get_motion_time(), time, "time of the field")
+		check_equal(_single.get_motion_time(), time, "time of the other")
+		# A step moves a tip by far more.
+		check_near(_single.get_tip_position(_id), _plant.get_tip_position(), 1e-5, "tip")
+	check(_plant.get_deflection() > 0.01, "they move")
 
 
 ## Returns the output of tests/engine/driven/print_motion_time.gd in a process of its own: a hash by

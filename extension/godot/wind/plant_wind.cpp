@@ -143,7 +143,8 @@ double PlantWind::get_time() const {
 
 void PlantWind::advance(double seconds) {
 	if (!std::isfinite(seconds) || seconds < 0.0) {
-		report_error(this, "advance(" + String::num(seconds) + ") is invalid; the time stays. Pass seconds of 0 or more.");
+		report_error(
+				this, "advance(" + String::num(seconds) + ") is invalid; the time stays. Pass seconds of 0 or more.");
 		return;
 	}
 	set_clock(clock.moved_to(clock.now() + seconds));
