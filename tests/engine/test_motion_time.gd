@@ -138,6 +138,7 @@ func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> 
 					check_equal(steps[number], expected[number], "step %s, %s" % [number, kind])
 			check(compared > 50, "%d steps at %d frames, %s" % [compared, rate, kind])
 
+
 func _is_built(built: PlantField3D) -> bool:
 	return not built.is_building() and not built.get_statistics()["is_rebuilding_meshes"]
 

@@ -181,7 +181,7 @@ public:
 	void set_ground_choice(GroundHeight choice);
 	GroundHeight get_ground_choice() const { return GroundHeight(properties.ground_choice); }
 	void set_wind(const godot::Ref<PlantWind> &wind);
-	godot::Ref<PlantWind> get_wind() const { return properties.wind; }
+	const godot::Ref<PlantWind> &get_wind() const { return properties.wind; }
 	void set_simulation_enabled(bool on);
 	void set_update_interval(int step_count);
 	void set_contact_enabled(bool on);

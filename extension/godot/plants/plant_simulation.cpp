@@ -150,8 +150,8 @@ void PlantSimulation::step(double ago, bool is_first) {
 		bodies.report_touches();
 	}
 	step_number++;
-	for (const Ref<PlantWind> &wind : winds) {
-		Ref<PlantWind>(wind)->advance_step(step_number, clock.step());
+	for (Ref<PlantWind> &wind : winds) {
+		wind->advance_step(step_number, clock.step());
 	}
 	step_groups(ago);
 	if (is_pushed) {
@@ -186,8 +186,9 @@ void PlantSimulation::advance(double delta) {
 	drop_empty_groups();
 	follow_groups();
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
-	if (tree && bodies.are_needed()) {
-		bodies.watch(tree, delta);
+	body_readings.begin_frame(tree, delta);
+	if (bodies.are_needed()) {
+		bodies.watch(body_readings, delta);
 	}
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		group->roots.watch(group->page, delta);

@@ -28,6 +28,7 @@ class PlantSimulation : public godot::Object {
 	std::vector<std::unique_ptr<PlantGroup>> groups;
 	std::vector<PlantField3D *> fields; ///< All in the tree.
 	std::vector<godot::Ref<PlantWind>> winds; ///< In use in this frame. A wind may be listed twice.
+	BodyReadings body_readings;
 	PlantBodies bodies;
 	PlantContact contact;
 	WorldAirSources air_sources;
@@ -76,6 +77,10 @@ public:
 	/// Adds a field of the tree. It takes part in the steps of a frame if its begin_frame() allows that.
 	void enter(PlantField3D *field);
 	void leave(PlantField3D *field);
+	/// Returns the bodies of a group in a world (instance id), in this frame. See BodyReadings::read().
+	const BodyReading *read_bodies(const godot::StringName &group, uint64_t world) {
+		return body_readings.read(group, world);
+	}
 	/// Sum of a Performance monitor over all fields.
 	double read_monitor(int which) const;
 	/// The steps of the present frame. They are done for plants and winds before nodes process.

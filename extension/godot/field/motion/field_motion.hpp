@@ -38,7 +38,6 @@ public:
 		godot::Transform3D axes; ///< From the field's to the world's, invertible.
 		godot::Ref<PlantWind> wind; ///< Null: still air.
 		std::vector<godot::Vector3> cameras; ///< World axes: the cameras.
-		godot::SceneTree *tree = nullptr;
 		uint64_t world = 0; ///< Instance id of the field's World3D.
 	};
 	/// Delays of plants that follow prototypes, for the shader: steps per metre of world x, y and z, and steps at the
