@@ -6,6 +6,7 @@
 #include "field/motion/step_batch.hpp"
 #include "nodes/plant_3d.hpp"
 #include "nodes/plant_field_3d.hpp"
+#include "nodes/plant_wind_source_3d.hpp"
 #include "species/shared_resources.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
@@ -186,6 +187,7 @@ void PlantSimulation::advance(double delta) {
 	drop_empty_groups();
 	follow_groups();
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
+	PlantWindSource3D::follow_all();
 	body_readings.begin_frame(tree, delta);
 	if (bodies.are_needed()) {
 		bodies.watch(body_readings, delta);
