@@ -129,7 +129,7 @@ func test_fields_and_plants_have_one_time_after_a_change_of_the_step_length() ->
 
 
 func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> void:
-	for kind: String in ["waves", "air"]:
+	for kind: String in ["waves", "air", "blend"]:
 		var expected := _steps_at(60, kind)
 		check(expected.size() > 100, "%d steps at 60" % expected.size())
 		for rate: int in [30, 37, 144]:

@@ -116,6 +116,7 @@ void PlantSimulation::list_winds() {
 	const auto list = [this](const Ref<PlantWind> &wind) {
 		if (wind.is_valid() && (winds.empty() || winds.back() != wind)) {
 			winds.push_back(wind);
+			winds.back()->begin_frame();
 		}
 	};
 	winds.clear();

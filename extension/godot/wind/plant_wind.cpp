@@ -147,13 +147,18 @@ void PlantWind::advance(double seconds) {
 				this, "advance(" + String::num(seconds) + ") is invalid; the time stays. Pass seconds of 0 or more.");
 		return;
 	}
+	blended.clear();
 	set_clock(clock.moved_to(clock.now() + seconds));
 }
 
 void PlantWind::advance_step(uint64_t number, double length) {
 	if (number != last_step) {
 		last_step = number;
+		const bool is_blending = blend.duration > 0.0 || !blended.empty();
 		set_clock(clock.next(length));
+		if (is_blending) {
+			blended.push_back(travelling());
+		}
 	}
 }
 

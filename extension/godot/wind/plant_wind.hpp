@@ -7,6 +7,8 @@
 #include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/resource.hpp>
 
+#include <vector>
+
 namespace undergrowth {
 
 /// A wind that any number of plants share: a force (thesis, section 4.3) or moving air. Bridge to core/wind.
@@ -40,6 +42,7 @@ private:
 
 	FieldWind blowing; ///< Its direction is a float; `direction` is the value that was set.
 	Blend blend;
+	std::vector<FieldWind> blended; ///< The wind in each step of this frame, if a blend changes it; else empty.
 	godot::Vector3 pivot; ///< Position of a camera: patterns are continuous there when the air changes.
 	mutable bool has_reported_newtons = false;
 	double direction = 0.0; ///< rad.
@@ -110,8 +113,9 @@ public:
 
 	/// Advances the clock by hand.
 	void advance(double seconds);
-	/// Advances the clock by a step of `length` seconds, unless step `number` has already done that. For its owner,
-	/// PlantSimulation.
+	/// Begins a frame. For its owner, PlantSimulation.
+	void begin_frame() { blended.clear(); }
+	/// Advances the clock by a step of `length` seconds, unless step `number` has already done that. For its owner.
 	void advance_step(uint64_t number, double length);
 	/// Returns the clock (s) `steps` steps of `length` seconds ago.
 	double time_before(int steps, double length) const { return clock.before(steps, length); }
@@ -121,6 +125,11 @@ public:
 	void set_pivot(const godot::Vector3 &place) { pivot = place; }
 	/// Returns the wind for sampling at any position and time, with the speed at which it travels over the ground.
 	FieldWind travelling() const;
+	/// Returns the wind in the step of this frame that began `steps` steps ago; 0: now.
+	FieldWind travelling_before(int steps) const {
+		const bool is_listed = steps > 0 && size_t(steps) <= blended.size();
+		return is_listed ? blended[blended.size() - size_t(steps)] : travelling();
+	}
 	/// Returns the wind for `listener` at `seconds` of its clock.
 	FieldWind for_listener(Listener &listener, double seconds) const;
 };

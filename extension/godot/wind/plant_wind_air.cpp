@@ -40,6 +40,7 @@ void PlantWind::take_air(const Air &wanted) {
 
 void PlantWind::change(const Air &wanted) {
 	blend.duration = 0.0; // A property that is set ends the blend.
+	blended.clear();
 	take_air(wanted);
 	emit_changed();
 }

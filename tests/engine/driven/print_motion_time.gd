@@ -1,7 +1,7 @@
 ## Run by a test with --fixed-fps: a field and a plant in a wind. Prints for each step `step NUMBER
 ## HASH DIFFERENCE`: the motion time in steps, a hash of all motion states, and the difference (s)
-## between the wind's clock and the motion time. With the argument `air` the wind is air, without it
-## waves of newtons.
+## between the wind's clock and the motion time. With the argument `air` the wind is air, with
+## `blend` air that changes, without them waves of newtons.
 extends SceneTree
 
 const FIRST := 200
@@ -18,7 +18,7 @@ func _initialize() -> void:
 	_field.density = 12.0
 	_field.far_distance = 0.0
 	_field.wind = PlantWind.new()
-	if "air" in OS.get_cmdline_user_args():
+	if "air" in OS.get_cmdline_user_args() or "blend" in OS.get_cmdline_user_args():
 		_field.wind.kind = PlantWind.KIND_AIR
 		_field.wind.speed = 6.0
 	root.add_child(_field)
@@ -31,6 +31,11 @@ func _initialize() -> void:
 func _begin() -> void:
 	_ids = _field.get_plant_ids()
 	root.add_child(_plant)
+	if "blend" in OS.get_cmdline_user_args():
+		var gale := _field.wind.duplicate() as PlantWind
+		gale.speed = 18.0
+		gale.direction = 1.0
+		_field.wind.blend_to(gale, 6.0)
 
 
 func _process(_delta: float) -> bool:

@@ -486,7 +486,7 @@ void FieldMotion::follow_wind(const Frame &frame, int index) {
 		return;
 	}
 	const int ago = frame.steps.count - index;
-	simulation->set_wind(field_wind(frame.wind, frame.axes, frame.wind->time_before(ago, length) - time));
+	simulation->set_wind(field_wind(frame.wind, frame.axes, frame.wind->time_before(ago, length) - time, ago));
 	time_after_step = frame.wind->time_before(ago - 1, length);
 }
 

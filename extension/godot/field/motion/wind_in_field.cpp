@@ -14,13 +14,13 @@ static AirAxes horizontal_axes(const Transform3D &axes) {
 	return { flat(axes.origin), flat(axes.basis.get_column(0)), flat(axes.basis.get_column(2)) };
 }
 
-FieldWind field_wind(const Ref<PlantWind> &wind, const Transform3D &axes, double offset) {
+FieldWind field_wind(const Ref<PlantWind> &wind, const Transform3D &axes, double offset, int steps) {
 	FieldWind blowing;
 	if (wind.is_null()) {
 		blowing.wind.strength = 0.0f;
 		return blowing;
 	}
-	blowing = wind->travelling();
+	blowing = wind->travelling_before(steps);
 	const glm::vec3 origin = to_glm(axes.origin);
 	const double late = double(wind_delay(blowing, origin.x, origin.z));
 	const double ahead = offset - late;
