@@ -50,6 +50,12 @@ func step(count: int) -> void:
 		await process_frame
 
 
+## Waits until all nodes have processed a frame: the present one, if they have not yet. Timers end
+## after that.
+func processed() -> void:
+	await create_timer(0.0).timeout
+
+
 ## Adds the field, and beside it a twin that differs only in [param settings], in the same wind.
 ## Both are built and at rest, and move by [method step_both] only.
 func start_with_twin(settings: Dictionary) -> PlantField3D:

@@ -2,7 +2,6 @@
 
 #include "base/convert.hpp"
 #include "base/messages.hpp"
-#include "base/world_of.hpp"
 #include "bodies/body_shapes.hpp"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -30,11 +29,12 @@ static glm::vec3 middle(const MovingBody &body) {
 	return 0.5f * (body.from + body.to);
 }
 
-void GroupBodies::watch(const Place &here, const StringName &group, double delta) {
+void GroupBodies::watch(const BodyReading *reading, const Transform3D &axes, double delta) {
 	time += delta;
 	frame = delta;
-	axes = here.axes;
+	to_world = axes;
 	to_field = axes.affine_inverse();
+	const StringName group = reading ? reading->group : StringName();
 	if (group != watched_group) {
 		watched_group = group;
 		empty_for = 0.0;
@@ -43,10 +43,10 @@ void GroupBodies::watch(const Place &here, const StringName &group, double delta
 	for (Body &body : bodies) {
 		body.is_here = false;
 	}
-	if (!group.is_empty() && here.tree->has_group(group)) {
-		note_members(here.tree->get_nodes_in_group(group), here.world, delta);
-	} else if (!group.is_empty()) {
-		warn_of_group(0, delta);
+	if (reading) {
+		std::for_each(
+				reading->bodies.begin(), reading->bodies.end(), [this](const BodyReading::Body &body) { note(body); });
+		warn_of_group(reading->members, delta);
 	}
 	for (Body &body : bodies) {
 		for (Shape &shape : body.shapes) {
@@ -55,65 +55,45 @@ void GroupBodies::watch(const Place &here, const StringName &group, double delta
 	}
 }
 
-void GroupBodies::note_members(const TypedArray<Node> &nodes, uint64_t world, double delta) {
-	int64_t members = 0;
-	for (int64_t i = 0; i < nodes.size(); i++) {
-		const Node3D *node = Object::cast_to<Node3D>(nodes[i]);
-		const bool is_here = !node || world_of(node) == world;
-		members += is_here ? 1 : 0;
-		if (node && is_here) {
-			note(node, delta);
-		} else if (node) {
-			continue;
-		} else if (const Node *other = Object::cast_to<Node>(nodes[i])) {
-			warn_of({ other->get_instance_id(), {}, BODY_PATIENCE }, other);
-		}
-	}
-	warn_of_group(members, delta);
+GroupBodies::Body &GroupBodies::body_of(uint64_t id) {
+	const auto found = std::find_if(bodies.begin(), bodies.end(), [id](const Body &body) { return body.id == id; });
+	return found != bodies.end() ? *found : bodies.emplace_back(Body{ id, {} });
 }
 
-void GroupBodies::note(const Node3D *node, double delta) {
-	const uint64_t id = node->get_instance_id();
-	auto found = std::find_if(bodies.begin(), bodies.end(), [id](const Body &body) { return body.id == id; });
-	if (found == bodies.end()) {
-		bodies.push_back({ id, {} });
-		found = bodies.end() - 1;
-	}
-	Body &body = *found;
+void GroupBodies::note(const BodyReading::Body &read) {
+	warn_of(read);
+	Body &body = body_of(read.id);
 	body.is_here = true;
-	body.age += delta;
-	body.shapes_age += delta;
-	if (body.shapes_age >= SHAPES_LIFETIME) {
-		find_shapes(body, node);
-		warn_of(body, node);
-	}
-	for (Shape &shape : body.shapes) {
-		note_shape(shape);
+	follow_shapes(body, read);
+	for (size_t i = 0; i < read.shapes.size(); i++) {
+		note_shape(body.shapes[i], read.shapes[i]);
 	}
 }
 
-void GroupBodies::find_shapes(Body &body, const Node3D *node) {
-	body.shapes_age = 0.0;
+// Makes the shapes of `body` those of `read`. Known ones continue.
+void GroupBodies::follow_shapes(Body &body, const BodyReading::Body &read) {
+	const auto is_same = [](const Shape &shape, const BodyReading::Shape &one) { return shape.holder == one.holder; };
+	if (std::equal(body.shapes.begin(), body.shapes.end(), read.shapes.begin(), read.shapes.end(), is_same)) {
+		return;
+	}
 	std::vector<Shape> shapes;
-	for (const uint64_t holder : find_shape_holders(node, watched_group)) {
-		const auto known = std::find_if(body.shapes.begin(), body.shapes.end(),
-				[holder](const Shape &shape) { return shape.holder == holder; });
-		shapes.push_back(known != body.shapes.end() ? *known : Shape{ holder, {}, {}, {} });
+	for (const BodyReading::Shape &one : read.shapes) {
+		const auto known = std::find_if(
+				body.shapes.begin(), body.shapes.end(), [&](const Shape &shape) { return is_same(shape, one); });
+		shapes.push_back(known != body.shapes.end() ? *known : Shape{ one.holder, {}, {}, {} });
 	}
 	body.shapes = std::move(shapes);
 }
 
-void GroupBodies::note_shape(Shape &shape) {
-	const CollisionShape3D *holder = Object::cast_to<CollisionShape3D>(ObjectDB::get_instance(shape.holder));
+void GroupBodies::note_shape(Shape &shape, const BodyReading::Shape &read) const {
 	shape.was_here = shape.is_here;
 	shape.before = shape.now;
-	MovingBody world;
-	shape.is_here = holder && shape_in_world(holder, world);
+	shape.is_here = read.is_here;
 	if (!shape.is_here) {
 		shape.stepped_at = -1.0;
 		return;
 	}
-	shape.now = { transformed(to_field, world), middle(world) };
+	shape.now = { transformed(to_field, read.body), middle(read.body) };
 	if (!shape.was_here || is_jump(shape.before, shape.now)) {
 		shape.before = shape.now;
 		shape.stepped_at = -1.0;
@@ -128,7 +108,7 @@ float GroupBodies::farthest_way(double delta) {
 
 bool GroupBodies::is_jump(const Spot &from, const Spot &to) const {
 	const float farthest = farthest_way(frame);
-	const Vector3 in_field = axes.basis.xform(to_godot(middle(to.shape) - middle(from.shape)));
+	const Vector3 in_field = to_world.basis.xform(to_godot(middle(to.shape) - middle(from.shape)));
 	return glm::distance(from.in_world, to.in_world) > farthest || in_field.length() > farthest;
 }
 
@@ -162,7 +142,7 @@ glm::vec3 GroupBodies::velocity(const Spot &from, const Spot &to, double seconds
 	}
 	const glm::vec3 in_world = to.in_world - from.in_world;
 	const glm::vec3 in_field = middle(to.shape) - middle(from.shape);
-	const bool is_world_less = glm::length(in_world) < float(axes.basis.xform(to_godot(in_field)).length());
+	const bool is_world_less = glm::length(in_world) < float(to_world.basis.xform(to_godot(in_field)).length());
 	const glm::vec3 way = is_world_less ? to_glm(to_field.basis.xform(to_godot(in_world))) : in_field;
 	return way / float(seconds);
 }
@@ -194,21 +174,17 @@ void GroupBodies::drop_gone() {
 	bodies.erase(std::remove_if(bodies.begin(), bodies.end(), is_gone), bodies.end());
 }
 
-void GroupBodies::warn_of(const Body &body, const Node *node) {
-	const auto pushes = [](const Shape &shape) {
-		const CollisionShape3D *holder = Object::cast_to<CollisionShape3D>(ObjectDB::get_instance(shape.holder));
-		return holder && may_push(holder);
-	};
-	if (body.age < BODY_PATIENCE || std::any_of(body.shapes.begin(), body.shapes.end(), pushes) ||
-			!warned_of.insert(body.id).second) {
+void GroupBodies::warn_of(const BodyReading::Body &read) {
+	if (read.age < BODY_PATIENCE || read.can_push || !warned_of.insert(read.id).second) {
 		return;
 	}
-	warnings.push_back(describe(node) + " is in the group '" + String(watched_group) +
+	warnings.push_back(describe(Object::cast_to<Node>(ObjectDB::get_instance(read.id))) + " is in the group '" +
+			String(watched_group) +
 			"' but pushes no plants: it has no CollisionShape3D with a sphere, capsule, cylinder or box. Add one, or "
 			"remove the node from the group.");
 }
 
-void GroupBodies::warn_of_group(int64_t members, double delta) {
+void GroupBodies::warn_of_group(int members, double delta) {
 	empty_for += delta;
 	is_group_known = is_group_known || members > 0;
 	if (empty_for < GROUP_PATIENCE || is_group_known) {

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "motion/bodies.hpp"
+#include "bodies/body_readings.hpp"
 
-#include <godot_cpp/classes/node3d.hpp>
-#include <godot_cpp/classes/scene_tree.hpp>
-#include <godot_cpp/variant/string_name.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
-#include <godot_cpp/variant/typed_array.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -15,8 +11,8 @@
 
 namespace undergrowth {
 
-/// Tracks the bodies of a group for a field, or for `Plant3D`s (PlantBodies), whose axes are the world's. Positions are
-/// read in each frame and interpolated linearly, so that pushes are the same at every frame rate. Main thread.
+/// Tracks the bodies of a group for a field, or for `Plant3D`s (PlantBodies), whose axes are the world's. Interpolates
+/// linearly between the positions in two frames, so that pushes are the same at every frame rate. Main thread.
 ///
 /// Each shape has its own velocity, since the step before: in the world or in the field, whichever is less. So a field
 /// that moves past a resting body, or together with a body, is not pushed by its own motion. A shape that moves faster
@@ -24,7 +20,6 @@ namespace undergrowth {
 class GroupBodies {
 public:
 	static constexpr double FASTEST = 50.0; ///< m/s.
-	static constexpr double SHAPES_LIFETIME = 0.25; ///< s, after which the shapes of a body are searched again.
 	static constexpr double BODY_PATIENCE = 1.0; ///< s, until the warning about a body that cannot push.
 	static constexpr double GROUP_PATIENCE = 5.0; ///< s, until the warning about a group without members.
 
@@ -37,16 +32,9 @@ public:
 		bool has_entered;
 	};
 
-	/// The scene and the axes in which bodies are searched.
-	struct Place {
-		godot::SceneTree *tree = nullptr;
-		uint64_t world = 0; ///< Instance id of the World3D; bodies of other worlds do not push.
-		godot::Transform3D axes; ///< From the field's to the world's, invertible.
-	};
-
-	/// Reads the positions of the bodies of `group`. Call once in every frame, of `delta` seconds. An empty group name
-	/// has no bodies.
-	void watch(const Place &here, const godot::StringName &group, double delta);
+	/// Follows the bodies of `reading`, null for none, in a frame of `delta` seconds. Call it once in every frame.
+	/// `axes`: from the field's to the world's, invertible.
+	void watch(const BodyReading *reading, const godot::Transform3D &axes, double delta);
 	/// Returns the shapes that push in a step at `ago` seconds before this frame (0 to its delta), in field axes. Call
 	/// in the order of the steps. Valid until the next call.
 	const std::vector<MovingBody> &gather(double ago);
@@ -81,8 +69,6 @@ private:
 	struct Body {
 		uint64_t id;
 		std::vector<Shape> shapes;
-		double age = 0.0; ///< s.
-		double shapes_age = SHAPES_LIFETIME; ///< s.
 		bool is_here = true;
 		bool is_touching = false;
 		size_t first = 0, count = 0; ///< Range in `gathered`.
@@ -90,7 +76,7 @@ private:
 
 	std::vector<Body> bodies;
 	std::vector<MovingBody> gathered;
-	godot::Transform3D axes, to_field;
+	godot::Transform3D to_world, to_field;
 	godot::StringName watched_group;
 	double time = 0.0; ///< s.
 	double frame = 0.0; ///< Length of the last frame, s.
@@ -99,14 +85,14 @@ private:
 	std::set<uint64_t> warned_of;
 	std::vector<godot::String> warnings;
 
-	void note_members(const godot::TypedArray<godot::Node> &nodes, uint64_t world, double delta);
-	void note(const godot::Node3D *node, double delta);
-	void find_shapes(Body &body, const godot::Node3D *node);
-	void note_shape(Shape &shape);
+	Body &body_of(uint64_t id);
+	void note(const BodyReading::Body &read);
+	static void follow_shapes(Body &body, const BodyReading::Body &read);
+	void note_shape(Shape &shape, const BodyReading::Shape &read) const;
 	bool is_jump(const Spot &from, const Spot &to) const;
 	glm::vec3 velocity(const Spot &from, const Spot &to, double seconds) const;
-	void warn_of(const Body &body, const godot::Node *node);
-	void warn_of_group(int64_t members, double delta);
+	void warn_of(const BodyReading::Body &read);
+	void warn_of_group(int members, double delta);
 };
 
 } // namespace undergrowth

@@ -45,10 +45,10 @@ PlantBodies::Reading &PlantBodies::reading_of(const ForceSettings &forces) {
 	return readings.back();
 }
 
-void PlantBodies::watch(SceneTree *tree, double delta) {
+void PlantBodies::watch(BodyReadings &engine, double delta) {
 	for (Reading &reading : readings) {
 		if (!reading.groups.empty()) {
-			reading.bodies.watch({ tree, reading.world, Transform3D() }, reading.name, delta);
+			reading.bodies.watch(engine.read(reading.name, reading.world), Transform3D(), delta);
 		}
 	}
 }

@@ -8,15 +8,15 @@
 
 namespace undergrowth {
 
-/// Bodies that push `Plant3D`s. Each group of bodies is read once in a frame, for any number of plants. Main thread.
+/// Bodies that push `Plant3D`s. Each group of bodies is tracked once, for any number of plants. Main thread.
 class PlantBodies {
 public:
 	/// Updates the groups of plants. Call when one was added or removed.
 	void follow(const std::vector<std::unique_ptr<PlantGroup>> &groups);
 	/// True if plants have a group of bodies, or plants were touched.
 	bool are_needed() const { return are_named || !touches.empty(); }
-	/// Reads the positions of bodies. Call once in every frame, of `delta` seconds.
-	void watch(godot::SceneTree *tree, double delta);
+	/// Follows the bodies of `engine`. Call once in every frame, of `delta` seconds.
+	void watch(BodyReadings &engine, double delta);
 	/// Gathers the shapes for a step at `ago` seconds before this frame. Call before the step.
 	void gather(double ago);
 	/// Pushes the plants. Call after the step.

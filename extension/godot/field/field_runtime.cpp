@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "base/world_of.hpp"
 #include "field/view/cameras.hpp"
+#include "plants/plant_simulation.hpp"
 
 #include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/world3d.hpp>
@@ -34,9 +35,9 @@ FieldRuntime::~FieldRuntime() {
 FieldMotion::Frame FieldRuntime::frame(double delta, const Ref<PlantWind> &wind) const {
 	FieldMotion::Frame now;
 	now.delta = delta;
+	now.steps = PlantSimulation::get_singleton()->frame_steps();
 	now.axes = axes_of(node);
 	now.wind = wind;
-	now.tree = node->get_tree();
 	now.world = world;
 	return now;
 }
@@ -75,7 +76,8 @@ double FieldRuntime::advance(double delta, bool simulates) {
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
 	}
-	motion.bodies.watch({ now.tree, now.world, now.axes }, properties.bodies_group, delta);
+	const BodyReading *bodies = PlantSimulation::get_singleton()->read_bodies(properties.bodies_group, world);
+	motion.bodies.watch(bodies, now.axes, delta);
 	return motion.advance(now, properties);
 }
 

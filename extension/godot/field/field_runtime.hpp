@@ -89,6 +89,8 @@ public:
 	/// Call between two polls: strokes appear in the frame in which they are ready.
 	void follow_strokes(DirtyTiles::Moment moment, double delta);
 
+	/// True if it has plants that can move now.
+	bool can_step() const { return motion.is_ready() && store.plant_count() > 0 && !is_transferring(); }
 	/// Call once per frame of `delta` seconds that is not paused. Returns the µs of this thread that steps took.
 	double advance(double delta, bool simulates);
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);

@@ -4,7 +4,7 @@
 
 #include "base/frame_budget.hpp"
 #include "base/messages.hpp"
-#include "field/motion/field_wind_clock.hpp"
+#include "field/motion/wind_in_field.hpp"
 #include "field/view/field_fitting.hpp"
 #include "field/view/listed_styles.hpp"
 #include "plants/plant_simulation.hpp"

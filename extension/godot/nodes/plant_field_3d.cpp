@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "field/build/field_areas.hpp"
 #include "field/field_inspector.hpp"
+#include "plants/plant_simulation.hpp"
 
 #include <limits>
 #include <type_traits>
@@ -111,6 +112,23 @@ bool PlantField3D::may_simulate() const {
 	return properties.simulation_enabled && !runs_in_editor();
 }
 
+bool PlantField3D::begin_frame(uint64_t number) {
+	const bool steps = may_simulate() && can_process() && runtime.can_step();
+	begun_frame = steps ? number : begun_frame;
+	return steps;
+}
+
+void PlantField3D::follow_simulation() {
+	PlantSimulation *simulation = PlantSimulation::get_singleton();
+	if (!simulation || !is_inside_tree()) {
+		return;
+	}
+	simulation->enter(this);
+	if (!runs_in_editor()) {
+		simulation->follow(get_tree());
+	}
+}
+
 // A handler of `filled` may remove the field from the tree.
 void PlantField3D::poll(double delta, bool physics) {
 	if (!dirty.is_clean()) {
@@ -154,7 +172,8 @@ void PlantField3D::process_frame() {
 	if (dependencies.is_time()) {
 		poll_dependencies();
 	}
-	const double stepping = runtime.advance(get_process_delta_time(), may_simulate());
+	const bool steps = may_simulate() && begun_frame == PlantSimulation::get_singleton()->frame_steps().frame;
+	const double stepping = runtime.advance(get_process_delta_time(), steps);
 	if (may_simulate()) {
 		problems.report_motion(runtime.motion);
 		report_bodies();
@@ -197,7 +216,7 @@ void PlantField3D::_notification(int what) {
 		case NOTIFICATION_ENTER_TREE:
 			set_notify_transform(true);
 			set_process_internal(true);
-			FieldMonitors::enter(&runtime, this);
+			follow_simulation();
 			runtime.enter_tree();
 			frames.follow_drawing(true);
 			dirty.enter_tree();
@@ -209,7 +228,9 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXIT_TREE:
 			frames.follow(false);
-			FieldMonitors::leave(&runtime);
+			if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {
+				simulation->leave(this);
+			}
 			frames.follow_drawing(false);
 			runtime.exit_tree();
 			break;
@@ -217,6 +238,7 @@ void PlantField3D::_notification(int what) {
 			species.follow();
 			dirty.mark_style();
 			dirty.mark_placement();
+			follow_simulation();
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
 			process_frame();

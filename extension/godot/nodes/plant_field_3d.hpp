@@ -62,6 +62,7 @@ private:
 	FieldStatistics statistics;
 	FieldProblems problems{ this, properties };
 	godot::PackedByteArray loaded_changes;
+	uint64_t begun_frame = 0; ///< Number of the last frame whose steps it takes part in.
 	bool is_unread = false; ///< They could not be applied, so the scene saves them unchanged.
 	FieldRuntime runtime;
 	PlantQueries plants{ this, runtime };
@@ -88,6 +89,7 @@ private:
 	static void bind_properties();
 	void changed(About about);
 	bool may_simulate() const;
+	void follow_simulation();
 	void poll(double delta, bool physics);
 	void process_frame();
 	void poll_dependencies();
@@ -142,6 +144,14 @@ public:
 	godot::TypedArray<godot::Skeleton3D> get_skeletons() const;
 	godot::Dictionary get_statistics();
 
+	/// Called by PlantSimulation before nodes process in frame `number`. Returns true if the field takes part in the
+	/// steps of this frame.
+	bool begin_frame(uint64_t number);
+	/// Value of a Performance monitor, by its index.
+	double read_monitor(int which) const { return FieldMonitors::read(runtime, which); }
+	/// Called by PlantSimulation when its steps have another length.
+	void on_step_length_changed() { dirty.mark_style(); }
+
 	// Called by the engine.
 	void on_species_changed();
 	void on_added_species_changed();
@@ -155,7 +165,6 @@ public:
 	void on_frame_ending();
 	void on_physics_frame();
 	void on_frame_drawn();
-	double monitor(int which) const { return FieldMonitors::sum(which); }
 
 	// Users' properties that are not only a Setting.
 	void set_species(const godot::TypedArray<PlantFieldSpecies> &entries);
@@ -172,6 +181,7 @@ public:
 	void set_ground_choice(GroundHeight choice);
 	GroundHeight get_ground_choice() const { return GroundHeight(properties.ground_choice); }
 	void set_wind(const godot::Ref<PlantWind> &wind);
+	const godot::Ref<PlantWind> &get_wind() const { return properties.wind; }
 	void set_simulation_enabled(bool on);
 	void set_update_interval(int step_count);
 	void set_contact_enabled(bool on);

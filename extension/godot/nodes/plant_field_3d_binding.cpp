@@ -207,7 +207,6 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_frame_ending);
 	LISTEN(on_physics_frame);
 	LISTEN(on_frame_drawn);
-	ClassDB::bind_method(D_METHOD("_on_monitor_read", "which"), &PlantField3D::monitor);
 	LISTEN(preview, "delta", "wind");
 	BIND(rebuild);
 	BIND(is_building);

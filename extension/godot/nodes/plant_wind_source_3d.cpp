@@ -75,7 +75,7 @@ void PlantWindSource3D::gather_in(uint64_t world, const Transform3D &axes, doubl
 	}
 }
 
-// Runs once in each frame, at its first use, so that all consumers get the same positions.
+// Runs at its first call in a frame. If nothing simulates, as in the editor, that is by a source or a preview.
 void PlantWindSource3D::follow_all() {
 	static uint64_t followed = 0;
 	const uint64_t frame = Engine::get_singleton()->get_process_frames();

@@ -23,6 +23,8 @@ public:
 
 	PlantWindSource3D();
 
+	/// Reads the positions of all sources, once in a frame. PlantSimulation calls it before nodes process.
+	static void follow_all();
 	/// Appends all sources that stir the air of a World3D (`world`: its instance id) `ago` seconds before this frame,
 	/// in world axes. Main thread.
 	static void gather(uint64_t world, double ago, std::vector<AirSource> &into);
@@ -59,7 +61,6 @@ private:
 
 	void set_number(float &slot, const char *property, double value, const Range &range);
 	void follow(double delta);
-	static void follow_all();
 	bool stirs_now() const;
 	AirSource at(double ago) const;
 };

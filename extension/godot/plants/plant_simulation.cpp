@@ -5,6 +5,8 @@
 #include "base/messages.hpp"
 #include "field/motion/step_batch.hpp"
 #include "nodes/plant_3d.hpp"
+#include "nodes/plant_field_3d.hpp"
+#include "nodes/plant_wind_source_3d.hpp"
 #include "species/shared_resources.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
@@ -86,15 +88,56 @@ void PlantSimulation::follow_groups() {
 	are_groups_new = is_contact_dirty = false;
 }
 
+void PlantSimulation::enter(PlantField3D *field) {
+	if (fields.empty()) {
+		FieldMonitors::add(this);
+	}
+	if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
+		fields.push_back(field);
+	}
+}
+
+void PlantSimulation::leave(PlantField3D *field) {
+	fields.erase(std::remove(fields.begin(), fields.end(), field), fields.end());
+	if (fields.empty()) {
+		FieldMonitors::remove();
+	}
+}
+
+double PlantSimulation::read_monitor(int which) const {
+	double sum = 0.0;
+	for (const PlantField3D *field : fields) {
+		sum += field->read_monitor(which);
+	}
+	return sum;
+}
+
+void PlantSimulation::list_winds() {
+	const auto list = [this](const Ref<PlantWind> &wind) {
+		if (wind.is_valid() && (winds.empty() || winds.back() != wind)) {
+			winds.push_back(wind);
+			winds.back()->begin_frame();
+		}
+	};
+	winds.clear();
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		list(group->kind.wind);
+	}
+	for (PlantField3D *field : fields) {
+		if (field->begin_frame(frame.frame)) {
+			list(field->get_wind());
+		}
+	}
+}
+
 void PlantSimulation::step_groups(double ago) {
-	step_number++;
 	air_sources.begin(ago);
 	swings.step(clock.step());
 	const FieldWind calm = { { WindKind::constant, 0.0f }, 0.0f };
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		PlantWind *wind = group->kind.wind.ptr();
 		group->roots.step(ago);
-		group->step(wind ? wind->travelling() : calm, wind ? wind->begin_step(step_number, clock.step()) : 0.0,
+		group->step(wind ? wind->travelling() : calm, wind ? wind->time_before(1, clock.step()) : 0.0,
 				air_sources.in(group->kind.forces.world));
 	}
 }
@@ -107,6 +150,10 @@ void PlantSimulation::step(double ago, bool is_first) {
 	}
 	if (is_pushed && is_first) {
 		bodies.report_touches();
+	}
+	step_number++;
+	for (Ref<PlantWind> &wind : winds) {
+		wind->advance_step(step_number, clock.step());
 	}
 	step_groups(ago);
 	if (is_pushed) {
@@ -141,19 +188,25 @@ void PlantSimulation::advance(double delta) {
 	drop_empty_groups();
 	follow_groups();
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
-	if (tree && bodies.are_needed()) {
-		bodies.watch(tree, delta);
+	PlantWindSource3D::follow_all();
+	body_readings.begin_frame(tree, delta);
+	if (bodies.are_needed()) {
+		bodies.watch(body_readings, delta);
 	}
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		group->roots.watch(group->page, delta);
 	}
-	const int step_count = clock.advance(delta);
-	for (int i = 0; i < step_count; i++) {
+	const uint64_t number = frame.frame + 1;
+	frame = { number, clock.advance(delta), clock.step(), clock.alpha() };
+	list_winds();
+	for (int i = 0; i < frame.count; i++) {
 		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MAX_STEPPING_TIME) {
-			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
+			frame.count = i; // Drops the remaining steps, so that a slow frame does not slow down the next one.
+			break;
 		}
-		step(clock.step() * (double(clock.alpha()) + step_count - 1 - i), i == 0);
+		step(frame.ago(i), i == 0);
 	}
+	winds.clear();
 	if (bodies.are_needed() || contact.is_needed()) {
 		report_warnings();
 	}
@@ -217,6 +270,9 @@ void PlantSimulation::set_step_length(double seconds) {
 	for (Plant3D *plant : all_plants) {
 		plant->update_simulation();
 	}
+	for (PlantField3D *field : fields) {
+		field->on_step_length_changed();
+	}
 }
 
 void PlantSimulation::on_parts_shader_wanted() {
@@ -232,6 +288,7 @@ void PlantSimulation::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_steps_collected"), &PlantSimulation::on_steps_collected);
 	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
 	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
+	ClassDB::bind_method(D_METHOD("_on_monitor_read", "which"), &PlantSimulation::read_monitor);
 	ClassDB::bind_method(D_METHOD("get_plant_count"), &PlantSimulation::get_plant_count);
 	ClassDB::bind_method(D_METHOD("get_step_time_usec"), &PlantSimulation::get_step_time_usec);
 	ClassDB::bind_method(D_METHOD("get_pose_time_usec"), &PlantSimulation::get_pose_time_usec);

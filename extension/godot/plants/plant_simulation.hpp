@@ -4,6 +4,7 @@
 #include "bodies/plant_bodies.hpp"
 #include "motion/fixed_step.hpp"
 #include "motion/swing_clock.hpp"
+#include "plants/frame_steps.hpp"
 #include "plants/plant_contact.hpp"
 #include "plants/plant_group.hpp"
 #include "wind/world_air_sources.hpp"
@@ -16,12 +17,18 @@
 
 namespace undergrowth {
 
-/// Steps all simulated `Plant3D`s of the running scene together, in fixed steps, and poses their bones once a frame. An
-/// engine singleton. Main thread.
+class PlantField3D;
+
+/// Owns the fixed steps of the running scene and the clocks of its winds. Once a frame, before nodes process, it
+/// advances each wind in use and all simulated `Plant3D`s, and poses their bones. Fields run the same steps when they
+/// process. An engine singleton. Main thread.
 class PlantSimulation : public godot::Object {
 	GDCLASS(PlantSimulation, godot::Object)
 
 	std::vector<std::unique_ptr<PlantGroup>> groups;
+	std::vector<PlantField3D *> fields; ///< All in the tree.
+	std::vector<godot::Ref<PlantWind>> winds; ///< In use in this frame. A wind may be listed twice.
+	BodyReadings body_readings;
 	PlantBodies bodies;
 	PlantContact contact;
 	WorldAirSources air_sources;
@@ -29,6 +36,7 @@ class PlantSimulation : public godot::Object {
 	bool is_contact_dirty = false; ///< Plants with contact were added or removed.
 	bool has_reported_crowd = false;
 	FixedStep clock;
+	FrameSteps frame; ///< The present one.
 	SwingClock swings;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
 	QueuedCall steps_start{ this, "_on_steps_collected" };
@@ -39,6 +47,7 @@ class PlantSimulation : public godot::Object {
 	PlantGroup *find_group(const PlantKind &kind);
 	void drop_empty_groups();
 	void follow_groups();
+	void list_winds();
 	void step_groups(double ago);
 	void step(double ago, bool is_first);
 	void report_warnings();
@@ -64,6 +73,18 @@ public:
 	void leave(const Place &place);
 	/// Ends the touches of a plant that leaves the tree, without a signal.
 	void forget_touches(const Plant3D *plant) { bodies.forget(plant); }
+
+	/// Adds a field of the tree. It takes part in the steps of a frame if its begin_frame() allows that.
+	void enter(PlantField3D *field);
+	void leave(PlantField3D *field);
+	/// Returns the bodies of a group in a world (instance id), in this frame. See BodyReadings::read().
+	const BodyReading *read_bodies(const godot::StringName &group, uint64_t world) {
+		return body_readings.read(group, world);
+	}
+	/// Sum of a Performance monitor over all fields.
+	double read_monitor(int which) const;
+	/// The steps of the present frame. They are done for plants and winds before nodes process.
+	const FrameSteps &frame_steps() const { return frame; }
 
 	/// Simulates `delta` seconds. Called in each frame of the scene tree.
 	void advance(double delta);

@@ -8,8 +8,6 @@
 #include "conventions.hpp"
 #include "wind/air_tiles_cache.hpp"
 
-#include <godot_cpp/classes/engine.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -85,7 +83,7 @@ double PlantWind::get_direction() const {
 
 void PlantWind::set_frequency(double hertz) {
 	if (accept_value(this, "frequency", hertz, FREQUENCY_RANGE) && float(hertz) != blowing.wind.frequency) {
-		change_frequency(blowing.wind, float(hertz), time);
+		change_frequency(blowing.wind, float(hertz), clock.now());
 		emit_changed();
 	}
 }
@@ -122,7 +120,7 @@ Vector3 PlantWind::sample(double at_time) const {
 }
 
 void PlantWind::begin_gust() {
-	blowing.wind.gust_start = time;
+	blowing.wind.gust_start = clock.now();
 	gusts++;
 }
 
@@ -140,51 +138,46 @@ void PlantWind::trigger_gust(double strength, double duration) {
 }
 
 double PlantWind::get_time() const {
-	return time;
+	return clock.now();
 }
 
-void PlantWind::advance(double step) {
-	if (!std::isfinite(step) || step < 0.0) {
-		report_error(this, "advance(" + String::num(step) + ") is invalid; the time stays. Pass seconds of 0 or more.");
+void PlantWind::advance(double seconds) {
+	if (!std::isfinite(seconds) || seconds < 0.0) {
+		report_error(
+				this, "advance(" + String::num(seconds) + ") is invalid; the time stays. Pass seconds of 0 or more.");
 		return;
 	}
-	advance_to(time + step);
+	blended.clear();
+	set_clock(clock.moved_to(clock.now() + seconds));
 }
 
-void PlantWind::advance_to(double clock) {
-	advanced_in = Engine::get_singleton()->get_process_frames();
-	set_clock(clock);
-}
-
-bool PlantWind::has_advanced_in_frame() const {
-	return advanced_in == Engine::get_singleton()->get_process_frames();
-}
-
-void PlantWind::catch_up_to(double clock) {
-	if (clock > time) {
-		set_clock(clock);
+void PlantWind::advance_step(uint64_t number, double length) {
+	if (number != last_step) {
+		last_step = number;
+		const bool is_blending = blend.duration > 0.0 || !blended.empty();
+		set_clock(clock.next(length));
+		if (is_blending) {
+			blended.push_back(travelling());
+		}
 	}
 }
 
-FieldWind PlantWind::for_listener(Listener &listener, double clock) const {
+void PlantWind::catch_up_to(double seconds) {
+	if (seconds > clock.now()) {
+		set_clock(clock.moved_to(seconds));
+	}
+}
+
+FieldWind PlantWind::for_listener(Listener &listener, double seconds) const {
 	if (listener.received_gusts != gusts) {
 		listener.received_gusts = gusts;
-		listener.gust_start = clock - (time - blowing.wind.gust_start);
+		listener.gust_start = seconds - (clock.now() - blowing.wind.gust_start);
 	}
 	FieldWind wind = travelling();
 	if (gusts > 0) {
 		wind.wind.gust_start = listener.gust_start;
 	}
 	return wind;
-}
-
-double PlantWind::begin_step(uint64_t number, double step) {
-	if (number != begun_step) {
-		begun_step = number;
-		step_start = time;
-		advance_to(time + step);
-	}
-	return step_start;
 }
 
 } // namespace undergrowth

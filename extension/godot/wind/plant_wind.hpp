@@ -1,15 +1,18 @@
 #pragma once
 
 #include "base/messages.hpp"
+#include "motion/step_time.hpp"
 #include "wind/field_wind.hpp"
 
 #include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/resource.hpp>
 
+#include <vector>
+
 namespace undergrowth {
 
-/// A wind that any number of plants share: a force (thesis, section 4.3) or moving air. Bridge to core/wind. The
-/// simulation advances its clock once a step, for any number of plants.
+/// A wind that any number of plants share: a force (thesis, section 4.3) or moving air. Bridge to core/wind.
+/// PlantSimulation advances its clock, once a step for any number of plants and fields.
 class PlantWind : public godot::Resource {
 	GDCLASS(PlantWind, godot::Resource)
 
@@ -39,18 +42,16 @@ private:
 
 	FieldWind blowing; ///< Its direction is a float; `direction` is the value that was set.
 	Blend blend;
+	std::vector<FieldWind> blended; ///< The wind in each step of this frame, if a blend changes it; else empty.
 	godot::Vector3 pivot; ///< Position of a camera: patterns are continuous there when the air changes.
 	mutable bool has_reported_newtons = false;
 	double direction = 0.0; ///< rad.
-	double time = 0.0;
+	StepTime clock;
 	uint64_t gusts = 0; ///< Number of triggered gusts.
-	uint64_t begun_step = 0;
-	uint64_t advanced_in = UINT64_MAX; ///< Frame number of the last advance of the clock.
-	double step_start = 0.0; ///< s, of that step.
+	uint64_t last_step = 0; ///< Number of the step that last advanced the clock.
 
 	void begin_gust();
-	void set_clock(double clock);
-	void advance_to(double clock);
+	void set_clock(const StepTime &next);
 	void take_air(const Air &wanted);
 	void change(const Air &wanted);
 	void set_air(float Air::*part, const char *property, double value, const Range &range);
@@ -110,21 +111,27 @@ public:
 	void trigger_gust(double strength, double duration);
 	double get_time() const;
 
-	/// Advances the clock: by a step in the simulation, or by a frame if code advances plants.
-	void advance(double step);
-	/// True if the clock advanced in this frame.
-	bool has_advanced_in_frame() const;
+	/// Advances the clock by hand.
+	void advance(double seconds);
+	/// Begins a frame. For its owner, PlantSimulation.
+	void begin_frame() { blended.clear(); }
+	/// Advances the clock by a step of `length` seconds, unless step `number` has already done that. For its owner.
+	void advance_step(uint64_t number, double length);
+	/// Returns the clock (s) `steps` steps of `length` seconds ago.
+	double time_before(int steps, double length) const { return clock.before(steps, length); }
 	/// Advances the clock to `clock`, the clock of a plant that code advances, if it is behind it.
-	void catch_up_to(double clock);
+	void catch_up_to(double seconds);
 	/// Sets the position of a camera (world axes).
 	void set_pivot(const godot::Vector3 &place) { pivot = place; }
 	/// Returns the wind for sampling at any position and time, with the speed at which it travels over the ground.
 	FieldWind travelling() const;
-	/// Returns the wind for `listener` at `clock` of its clock.
-	FieldWind for_listener(Listener &listener, double clock) const;
-	/// Returns the clock (s) at the start of step number `number` of the simulation. The first call for a step advances
-	/// the clock to its end.
-	double begin_step(uint64_t number, double step);
+	/// Returns the wind in the step of this frame that began `steps` steps ago; 0: now.
+	FieldWind travelling_before(int steps) const {
+		const bool is_listed = steps > 0 && size_t(steps) <= blended.size();
+		return is_listed ? blended[blended.size() - size_t(steps)] : travelling();
+	}
+	/// Returns the wind for `listener` at `seconds` of its clock.
+	FieldWind for_listener(Listener &listener, double seconds) const;
 };
 
 } // namespace undergrowth

@@ -35,11 +35,12 @@ static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the
 
 // Changes the air from now on. The patterns continue from their present position.
 void PlantWind::take_air(const Air &wanted) {
-	change_air(blowing.air, wanted, time, { double(pivot.x), double(pivot.z) });
+	change_air(blowing.air, wanted, clock.now(), { double(pivot.x), double(pivot.z) });
 }
 
 void PlantWind::change(const Air &wanted) {
 	blend.duration = 0.0; // A property that is set ends the blend.
+	blended.clear();
 	take_air(wanted);
 	emit_changed();
 }
@@ -162,7 +163,7 @@ void PlantWind::apply_to_material(const Ref<Material> &material) const {
 	if (!shaded || shaded->get_shader().is_null()) {
 		report_error(this, "apply_to_material() needs a material whose shader includes undergrowth_wind.gdshaderinc.");
 	} else if (is_air("apply_to_material()")) {
-		show_wind(travelling(), time, material);
+		show_wind(travelling(), clock.now(), material);
 	}
 }
 
@@ -178,10 +179,10 @@ void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	blend.to = wind->blowing.air;
 	// Turns by the smaller angle.
 	blend.to.heading = blend.from.heading + std::remainder(blend.to.heading - blend.from.heading, 2.0 * PI);
-	blend.begin = time;
+	blend.begin = clock.now();
 	blend.duration = std::max(seconds, 1e-9);
 	if (seconds == 0.0) {
-		set_clock(time);
+		set_clock(clock);
 	}
 }
 
@@ -204,10 +205,10 @@ static Air mixed(const Air &from, const Air &to, double share) {
 	return air;
 }
 
-void PlantWind::set_clock(double clock) {
+void PlantWind::set_clock(const StepTime &next) {
 	if (blend.duration > 0.0) {
-		const double share = std::clamp((clock - blend.begin) / blend.duration, 0.0, 1.0);
-		const bool is_there = share >= 1.0 || clock == blend.begin;
+		const double share = std::clamp((next.now() - blend.begin) / blend.duration, 0.0, 1.0);
+		const bool is_there = share >= 1.0 || next.now() == blend.begin;
 		take_air(is_there ? blend.to : mixed(blend.from, blend.to, share));
 		direction = blowing.air.heading;
 		blowing.wind.direction = float(direction);
@@ -216,7 +217,7 @@ void PlantWind::set_clock(double clock) {
 			emit_changed();
 		}
 	}
-	time = clock;
+	clock = next;
 }
 
 FieldWind PlantWind::travelling() const {

@@ -2,6 +2,7 @@
 
 #include "base/convert.hpp"
 #include "base/stopwatch.hpp"
+#include "field/motion/wind_in_field.hpp"
 #include "nodes/plant_wind_source_3d.hpp"
 #include "plants/plant_simulation.hpp"
 
@@ -27,7 +28,7 @@ static constexpr double NEVER_FAR = 0.5; // Fraction of far_distance within whic
 // Ratio of distances between rings; each ring is stepped half as often as the one before.
 static constexpr double FARTHER = 1.4142135623730951;
 
-FieldMotion::FieldMotion() : clock(USUAL_STEP) {}
+FieldMotion::FieldMotion() : preview_clock(USUAL_STEP) {}
 
 FieldMotion::~FieldMotion() {
 	steps.wait();
@@ -63,8 +64,7 @@ void FieldMotion::start(const FieldSettings &settings) {
 }
 
 void FieldMotion::begin_clock() {
-	clock = FixedStep(PlantSimulation::get_singleton()->get_step_length());
-	wind_clock.forget();
+	preview_clock = FixedStep(PlantSimulation::get_singleton()->get_step_length());
 	dirty_pages.clear();
 }
 
@@ -476,13 +476,26 @@ void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	}
 }
 
-void FieldMotion::start_step(const MotionOptions &options, bool with_contact) {
+// Sets the wind of step `index` of a frame. The clock of the wind and that of the simulation differ.
+void FieldMotion::follow_wind(const Frame &frame, int index) {
+	const double length = frame.steps.length;
+	const double time = simulation->time();
+	if (frame.wind.is_null()) {
+		simulation->set_wind(field_wind({}, frame.axes, 0.0));
+		time_after_step += length;
+		return;
+	}
+	const int ago = frame.steps.count - index;
+	simulation->set_wind(field_wind(frame.wind, frame.axes, frame.wind->time_before(ago, length) - time, ago));
+	time_after_step = frame.wind->time_before(ago - 1, length);
+}
+
+void FieldMotion::start_step(const Frame &frame, const MotionOptions &options, bool with_contact) {
 	is_transferred = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
-	time_after_step = simulation->time(1);
 	simulated_before = simulation->settings().prototypes > 0 ? simulation->simulated_count() : 0;
 	steps.start(*simulation, *textures, leans, contact, worker_count(options));
-	swings.step(clock.step());
+	swings.step(frame.steps.length);
 }
 
 // Sets the bodies at `ago` seconds before this frame.
@@ -521,57 +534,48 @@ void FieldMotion::find_events(double margin) {
 // steps finish at once.
 double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
 	drift.watch(frame.axes, frame.delta);
-	const int step_count = clock.advance(frame.delta);
-	shown_alpha = clock.alpha();
-	if (step_count == 0) {
+	shown_alpha = frame.steps.alpha;
+	if (frame.steps.count == 0) {
 		return 0.0;
 	}
-	wind_clock.follow(frame.wind, step_count, clock.step(), simulation->time());
-	simulation->set_wind(field_wind(frame.wind, frame.axes, wind_clock.ahead()));
 	update_far(frame, options);
 	const Stopwatch watch;
 	double stepping_usec = 0.0;
-	for (int i = 0; i < step_count; i++) {
+	for (int i = 0; i < frame.steps.count; i++) {
 		wait();
 		stepping_usec += i > 0 ? steps.inline_usec() : 0.0;
 		if (i > 0 && watch.usec() > 1e6 * FixedStep::MAX_STEPPING_TIME) {
 			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
 		}
-		const double ago = clock.step() * (double(shown_alpha) + step_count - 1 - i);
+		const double ago = frame.steps.ago(i);
+		follow_wind(frame, i);
 		stir(frame, options, ago);
 		push(ago);
 		if (i == 0) {
 			find_events(options.touch_margin);
 		}
-		start_step(options, touches);
+		start_step(frame, options, touches);
 	}
 	return stepping_usec;
 }
 
-void FieldMotion::preview(const Frame &frame, const MotionOptions &options) {
+void FieldMotion::preview(Frame frame, const MotionOptions &options) {
 	wait();
-	const int step_count = clock.advance(frame.delta);
-	shown_alpha = clock.alpha();
-	if (step_count > 0) {
-		const double now = frame.wind.is_valid() ? frame.wind->get_time() : 0.0;
-		const double ahead = now - step_count * clock.step() - simulation->time();
-		simulation->set_wind(field_wind(frame.wind, frame.axes, ahead));
+	frame.steps.count = preview_clock.advance(frame.delta);
+	frame.steps.length = preview_clock.step();
+	shown_alpha = preview_clock.alpha();
+	if (frame.steps.count > 0) {
 		simulation->set_bodies(nullptr, 0);
 		PlantWindSource3D::gather_in(frame.world, frame.axes, 0.0, stirring);
 		simulation->set_air_sources(stirring);
 		simulation->set_drift({});
 	}
-	for (int i = 0; i < step_count; i++) {
-		start_step(options, false);
+	for (int i = 0; i < frame.steps.count; i++) {
+		wait();
+		follow_wind(frame, i);
+		start_step(frame, options, false);
 	}
 	wait();
-}
-
-double FieldMotion::motion_time() const {
-	if (!simulation) {
-		return 0.0;
-	}
-	return (steps.is_running() ? time_after_step : simulation->time()) + wind_clock.ahead();
 }
 
 int FieldMotion::simulated_count(const PlantStore &store) const {

@@ -7,13 +7,14 @@
 #include "field/mean_lean.hpp"
 #include "field/motion/field_drift.hpp"
 #include "field/motion/field_steps.hpp"
-#include "field/motion/field_wind_clock.hpp"
 #include "field/motion/prepared_motion.hpp"
 #include "field/resources/field_options.hpp"
 #include "motion/fixed_step.hpp"
 #include "motion/part_bend.hpp"
 #include "motion/swing_clock.hpp"
 #include "placement/plant_store.hpp"
+#include "plants/frame_steps.hpp"
+#include "wind/plant_wind.hpp"
 
 #include <godot_cpp/variant/rid.hpp>
 
@@ -33,10 +34,10 @@ public:
 	/// Inputs of a frame.
 	struct Frame {
 		double delta = 0.0; ///< s.
+		FrameSteps steps;
 		godot::Transform3D axes; ///< From the field's to the world's, invertible.
 		godot::Ref<PlantWind> wind; ///< Null: still air.
 		std::vector<godot::Vector3> cameras; ///< World axes: the cameras.
-		godot::SceneTree *tree = nullptr;
 		uint64_t world = 0; ///< Instance id of the field's World3D.
 	};
 	/// Delays of plants that follow prototypes, for the shader: steps per metre of world x, y and z, and steps at the
@@ -94,9 +95,9 @@ public:
 	/// µs of this thread that steps took; steps of small fields run on this thread.
 	double advance(const Frame &frame, const MotionOptions &options);
 	/// Runs steps for a tool, at the wind's own clock and without bodies, and returns when they are done.
-	void preview(const Frame &frame, const MotionOptions &options);
+	void preview(Frame frame, const MotionOptions &options);
 	/// s of the wind's clock, of the states of plants.
-	double motion_time() const;
+	double motion_time() const { return time_after_step; }
 	/// Sets all plants to rest.
 	void settle();
 
@@ -167,12 +168,11 @@ private:
 	int simulated_before = 0; ///< With prototypes: plants that are stepped, before the running step.
 	std::array<int64_t, 4> counted = {}; ///< What `counted_bytes` depends on.
 	double counted_bytes = 0.0; ///< Per plant.
-	double time_after_step = 0.0; ///< s: FieldSimulation::time() after the running step.
+	double time_after_step = 0.0; ///< s of the wind's clock, at the end of the last step that was started.
 	FieldSteps steps; // Declared after the data that it uses, so it is destroyed first.
 	WorkerTask transfer; // For the same reason.
 	bool is_transferred = false; ///< The motion of matched plants is transferred for adopt(), and nothing moved since.
-	FixedStep clock;
-	FieldWindClock wind_clock;
+	FixedStep preview_clock;
 	FieldDrift drift;
 	std::vector<AirSource> stirring; ///< In the present step.
 	bool showed_heights = false; ///< At the last upload().
@@ -198,7 +198,8 @@ private:
 	void push(double ago);
 	void stir(const Frame &frame, const MotionOptions &options, double ago);
 	void find_events(double margin);
-	void start_step(const MotionOptions &options, bool with_contact);
+	void follow_wind(const Frame &frame, int index);
+	void start_step(const Frame &frame, const MotionOptions &options, bool with_contact);
 };
 
 } // namespace undergrowth
