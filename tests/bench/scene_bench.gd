@@ -139,7 +139,7 @@ func _count_drawn(count: int) -> void:
 
 func _build(field: PlantField3D) -> void:
 	for frame in MAX_FRAMES:
-		if not field.is_building():
+		if field.get_plant_count() > 0 and not field.is_building():
 			break
 		await process_frame
 		OS.delay_usec(FRAME_USEC)  # Workers need the time that frames without drawing do not take.
