@@ -79,7 +79,8 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 		const float own = has_error
 				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
 				: lathe_begin(setup.levels[i].lod);
-		begins.push_back(i == 0 ? 0.0f : own / (1.0f + (coarser - 1.0f) * own / COARSENED_AT) * rule.lod_bias);
+		const float far = std::sqrt(own / COARSENED_AT);
+		begins.push_back(i == 0 ? 0.0f : own / (1.0f + (coarser - 1.0f) * far) * rule.lod_bias);
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);
