@@ -152,9 +152,7 @@ float error_of(const Part &part, const PartDetail &detail) {
 	// A single row runs from the base's width to the tip's and omits a wider middle.
 	const bool is_one = detail.rows == 1 && part.kind == PartKind::blade;
 	const float inside = is_one ? 0.6f * std::max(part.widths.widest() - 0.2f, 0.0f) : 0.0f;
-	const float edge = is_spike(part, detail) ? SPIKE_ERROR
-			: is_even(part)					  ? 0.0f
-											  : 0.06f * square(span) + inside;
+	const float edge = is_spike(part, detail) ? SPIKE_ERROR : is_even(part) ? 0.0f : 0.06f * square(span) + inside;
 	const float chord = (is_one ? 0.06f : 0.04f) * square(std::abs(part.curve.bend) * span) +
 			0.2f * square(part.curve.wander * span);
 	return edge + chord + (part.kind == PartKind::blade ? blade_error(part, detail) : round_error(detail));

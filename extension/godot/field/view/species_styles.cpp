@@ -88,8 +88,7 @@ void SpeciesStyle::load_shader() const {
 }
 
 // The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards.
-LevelLooks SpeciesStyle::measure_level(
-		size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
+LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
 	LevelLooks worst;
 	for (size_t variant = 0; variant < outlines.size(); variant++) {
 		const GrownPlant &grown = *samples[0][variant].grown;
@@ -123,8 +122,8 @@ void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelEr
 	const float finest = *std::min_element(errors.begin(), errors.end());
 	const float blurred = std::max(own, TEXELS * texel_of(cards->sheet()));
 	const float allowed = std::max(blurred, std::min(own / CARD_SHARE, finest));
-	are_carded[level] = has_bodies ? blurred < MIN_CARD_GAIN * BODY_SHARE * errors[level]
-								   : allowed < MIN_CARD_GAIN * errors[level];
+	are_carded[level] =
+			has_bodies ? blurred < MIN_CARD_GAIN * BODY_SHARE * errors[level] : allowed < MIN_CARD_GAIN * errors[level];
 	errors[level] = are_carded[level] ? allowed : errors[level];
 }
 
