@@ -3,6 +3,8 @@ extends "res://tests/engine/field_harness.gd"
 
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
 const MEADOW := "res://addons/undergrowth/mixes/meadow.tscn"
+const SPECIES := "res://addons/undergrowth/species/%s.tres"
+const LAWN := "res://addons/undergrowth/mixes/lawn.tscn"
 const WHEAT := "res://addons/undergrowth/mixes/wheat_field.tscn"
 const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
 
@@ -97,6 +99,26 @@ func test_ears_on_cards_do_not_become_solid_between_two_near_levels() -> void:
 	check_equal(carded[-1], 0, "the last level is solid")
 	check_equal(carded[-2], 1, "the level before it has cards: %s" % _levels()[0])
 	check_equal(builds[0], 1, "builds")
+
+
+func test_plumes_and_flowers_are_on_cards_where_solid_ones_would_be_lumps() -> void:
+	for known: Array in [["common_reed", 0], ["yarrow", -1], ["garden_tulip", -1]]:
+		field.free()
+		field = PlantField3D.from_species([load(SPECIES % known[0])])
+		field.density = 0.5
+		field.size = Vector2(6, 6)
+		await start()
+		check_equal(_levels()[0]["are_carded"][known[1]], 1, "cards of %s" % [known])
+
+
+func test_a_dense_lawn_has_levels_between_near_and_far_ones() -> void:
+	field.free()
+	field = (load(LAWN) as PackedScene).instantiate()
+	field.simulation_enabled = false
+	await start()
+	var segments: PackedInt32Array = _levels()[0]["segments"]
+	check(5 in segments, "of 8 and 2: %s" % segments)
+	check(_levels()[0]["ends"][-2] > 5.0, "the coarsest one begins at %s" % _levels()[0]["ends"])
 
 
 func test_levels_of_users_go_before_errors() -> void:

@@ -14,6 +14,7 @@ const FLOWERS: Array[String] = [
 	"lavender",
 	"cornflower"
 ]
+const FEW := 5  # Segments: with so few, plants drop some leaves.
 const FINE := 600  # Pixels: thin stems are wider than one, and are not widened.
 const THINNED := 7.5  # m: beyond this distance fewer plants are drawn, which are wider.
 const LOW := 0.3  # Angles of the camera above the plant, rad.
@@ -23,6 +24,7 @@ const HIGH := 1.1
 ## Pictures of a species with cards, and with all of its parts.
 class Pair:
 	var what: String
+	var segments: int
 	var shown: Image
 	var whole: Image
 
@@ -56,7 +58,8 @@ func test_flowers_with_cards_cover_as_much_from_the_side_and_from_above() -> voi
 	for name in FLOWERS:
 		for pair in await _pairs_of(name, 1):
 			var share := _pixels(pair.shown) / _pixels(pair.whole)
-			check(share > 0.9 and share < 1.1, "%s covers %.2f" % [pair.what, share])
+			var most := 0.1 if pair.segments > FEW else 0.15
+			check(absf(share - 1.0) < most, "%s covers %.2f" % [pair.what, share])
 
 
 func test_cards_turn_to_the_camera() -> void:
@@ -75,9 +78,11 @@ func _pairs_of(name: String, variants := 4) -> Array[Pair]:
 	await _sow(name, variants)
 	var listed: Dictionary = _field.get_statistics()["levels"][0]
 	var distances: Array[float] = []
+	var segments: Array[int] = []
 	for i in range(1, listed["ends"].size()):
 		if listed["are_carded"][i] and listed["ends"][i - 1] < THINNED:
 			distances.append(1.02 * listed["ends"][i - 1])
+			segments.append(listed["segments"][i])
 	check(distances.size() > 0, "%s has cards" % name)
 	var shown := await _pictures(distances)
 	_field.levels = [PlantFieldLevel.of(64)]
@@ -87,6 +92,7 @@ func _pairs_of(name: String, variants := 4) -> Array[Pair]:
 	for i in shown.size():
 		var pair := Pair.new()
 		pair.what = "%s at %.1f m, from %.1f rad" % [name, distances[i / 2], HIGH if i % 2 else LOW]
+		pair.segments = segments[i / 2]
 		pair.shown = shown[i]
 		pair.whole = whole[i]
 		pairs.append(pair)

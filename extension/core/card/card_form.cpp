@@ -3,13 +3,18 @@
 #include "card/card_strips.hpp"
 #include "mesh/form_writer.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <iterator>
 
 namespace undergrowth {
 
 namespace {
 
 constexpr float MAX_CARD_SHARE = 0.75f; // Of the budget.
+constexpr float MIN_DRAWN_SHARE = 0.6f; // Of the area of all cards. The drawn heads grow by as much.
+constexpr float CONTRAST_WEIGHT = 6.0f; // Of that area, times the squared distance to the colour of the other parts.
 
 /// Copies everything that is not in a card. `into`: index in the copy, by placed part; -1: in a card.
 PlantForm copy_rest(const PlantForm &form, const std::vector<int> &owners, std::vector<int> &into) {
@@ -43,23 +48,82 @@ PlantForm copy_rest(const PlantForm &form, const std::vector<int> &owners, std::
 	return rest;
 }
 
+/// The finest rows with which all cards fit, or the coarsest ones: a plan draws fewer carriers then.
+CardRows rows_for(const CardForm &form, const CardSheet &sheet, int budget) {
+	for (const CardRows &rows : CARD_ROWS) {
+		int cards = 0;
+		for (const CardPlace &place : form.places) {
+			cards += count_card(sheet, place, rows);
+		}
+		if (static_cast<float>(cards) <= MAX_CARD_SHARE * static_cast<float>(budget)) {
+			return rows;
+		}
+	}
+	return *(std::end(CARD_ROWS) - 1);
+}
+
+CarriedCards carried_cards(const CardForm &form, const CardSheet &sheet, const CardRows &rows) {
+	CarriedCards cards;
+	cards.vertices.assign(form.rest.placed.size(), 0);
+	cards.areas.assign(form.rest.groups.size(), 0.0f);
+	cards.colors.assign(form.rest.groups.size(), glm::vec4(0.0f));
+	for (size_t i = 0; i < form.places.size(); i++) {
+		const CardPlace &place = form.places[i];
+		const size_t carrier = static_cast<size_t>(place.carrier);
+		const size_t group = static_cast<size_t>(form.rest.placed[carrier].group);
+		const CardLayer &layer = sheet.pictures[static_cast<size_t>(sheet.layers[static_cast<size_t>(place.group)])];
+		cards.vertices[carrier] += count_card(sheet, place, rows);
+		cards.areas[group] += form.shown[i];
+		cards.colors[group] += layer.color * form.shown[i];
+	}
+	for (size_t group = 0; group < cards.areas.size(); group++) {
+		cards.colors[group] *= cards.areas[group] > 0.0f ? 1.0f / cards.areas[group] : 0.0f;
+	}
+	return cards;
+}
+
+/// Returns the fraction of the cards that a plan draws, by area and colour.
+float drawn_share(const CardForm &form, const CardSheet &sheet, const FormPlan &plan) {
+	const glm::vec3 &light = form.measure.light;
+	const glm::vec3 mean(from_light(light.x), from_light(light.y), from_light(light.z));
+	float drawn = 0.0f;
+	float all = 0.0f;
+	for (size_t i = 0; i < form.places.size(); i++) {
+		const int layer = sheet.layers[static_cast<size_t>(form.places[i].group)];
+		const glm::vec3 way = glm::vec3(sheet.pictures[static_cast<size_t>(layer)].color) - mean;
+		const float area = form.shown[i] * (1.0f + CONTRAST_WEIGHT * glm::dot(way, way));
+		all += area;
+		drawn += plan.fates[static_cast<size_t>(form.places[i].carrier)] == FormPlan::drawn ? area : 0.0f;
+	}
+	return all > 0.0f ? drawn / all : 0.0f;
+}
+
 } // namespace
 
-CardForm make_card_form(const PlantForm &form, const CardSheet &sheet) {
+CardForm make_card_form(const PlantForm &form, const FormMeasure &measure, const CardSheet &sheet) {
 	CardForm made;
 	const CardPlaces all = place_cards(form, sheet.groups);
 	if (sheet.is_empty() || all.places.empty()) {
 		return made;
 	}
-	const std::vector<PartAttachment> attachments = attach_parts(form);
+	std::vector<float> shown(all.places.size(), 0.0f);
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const size_t group = static_cast<size_t>(form.placed[i].group);
+		if (all.owners[i] >= 0) {
+			shown[static_cast<size_t>(all.owners[i])] +=
+					measure.shown[group] / static_cast<float>(form.groups[group].count);
+		}
+	}
 	std::vector<int> into;
 	made.rest = copy_rest(form, all.owners, into);
 	made.measure = measure_form(made.rest);
-	for (const CardPlace &place : all.places) {
+	for (size_t i = 0; i < all.places.size(); i++) {
+		const CardPlace &place = all.places[i];
 		if (!place.extent.is_empty()) {
 			made.places.push_back(place);
 			made.places.back().carrier = into[static_cast<size_t>(place.carrier)];
-			made.attachments.push_back(attachments[static_cast<size_t>(place.first)]);
+			made.attachments.push_back(measure.attachments[static_cast<size_t>(place.first)]);
+			made.shown.push_back(shown[i]);
 		}
 	}
 	return made;
@@ -67,23 +131,17 @@ CardForm make_card_form(const PlantForm &form, const CardSheet &sheet) {
 
 CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget, int carrier_rows) {
 	CardPlan plan;
-	for (const CardRows &rows : CARD_ROWS) {
-		int cards = 0;
-		for (const CardPlace &place : form.places) {
-			cards += count_card(sheet, place, rows);
-		}
-		if (static_cast<float>(cards) > MAX_CARD_SHARE * static_cast<float>(budget) || budget - cards < 12) {
-			continue;
-		}
-		plan.rest = plan_form(form.rest, form.measure, budget - cards);
-		divide_carriers(form.rest, carrier_rows, plan.rest);
-		plan.strips = make_strips(form, sheet, plan.rest, rows);
-		plan.counts = plan.rest.counts;
-		for (const CardStrip &strip : plan.strips) {
-			plan.counts.vertices += strip.vertices();
-			plan.counts.indices += strip.indices();
-		}
-		break;
+	const CardRows rows = rows_for(form, sheet, budget);
+	plan.rest = plan_form(form.rest, form.measure, budget, carried_cards(form, sheet, rows));
+	if (drawn_share(form, sheet, plan.rest) < MIN_DRAWN_SHARE) {
+		return plan;
+	}
+	divide_carriers(form.rest, carrier_rows, plan.rest);
+	plan.strips = make_strips(form, sheet, plan.rest, rows);
+	plan.counts = plan.rest.counts;
+	for (const CardStrip &strip : plan.strips) {
+		plan.counts.vertices += strip.vertices();
+		plan.counts.indices += strip.indices();
 	}
 	return plan;
 }

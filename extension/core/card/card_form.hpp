@@ -14,12 +14,13 @@ struct CardForm {
 	FormMeasure measure; ///< Of `rest`.
 	std::vector<CardPlace> places; ///< `carrier` is an index in `rest`.
 	std::vector<PartAttachment> attachments; ///< By place: of its first part.
+	std::vector<float> shown; ///< By place: area of its parts from the side (m², mean), as of FormMeasure.
 
 	bool is_empty() const { return places.empty(); }
 };
 
-/// `sheet`: of the same species, from any seed. Empty without a place for a card.
-CardForm make_card_form(const PlantForm &form, const CardSheet &sheet);
+/// `measure`: of `form`. `sheet`: of the same species, from any seed. Empty without a place for a card.
+CardForm make_card_form(const PlantForm &form, const FormMeasure &measure, const CardSheet &sheet);
 
 /// The drawn parts and cards of a plant at one level.
 struct CardPlan {
@@ -30,7 +31,7 @@ struct CardPlan {
 	bool is_empty() const { return strips.empty(); }
 };
 
-/// Returns a plan of at most `budget` vertices. Empty if too few would remain for the other parts. `carrier_rows`: see
+/// Returns a plan of at most `budget` vertices. Empty if it would draw too few of the cards. `carrier_rows`: see
 /// divide_carriers(), which may exceed the budget.
 CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget, int carrier_rows = 0);
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace undergrowth {
@@ -16,6 +17,8 @@ namespace undergrowth {
 namespace {
 
 constexpr int SAMPLES = 6; // Along each side of a texel.
+constexpr int SHADE_CELLS = 24; // Along both directions across the axis.
+constexpr float MAX_SHADE = 0.45f;
 constexpr float MIN_SIZE = 1e-6f; // m.
 
 struct Corner {
@@ -103,12 +106,43 @@ public:
 		return turned;
 	}
 
+	/// Dims what is below other parts along the axis, as stalks below flowers. Cards receive no shadows of their own
+	/// parts.
+	void shade() {
+		const float reach = box().half;
+		std::vector<size_t> from_above(triangles.size());
+		std::iota(from_above.begin(), from_above.end(), size_t(0));
+		std::stable_sort(from_above.begin(), from_above.end(),
+				[&](size_t a, size_t b) { return middle_of(triangles[a]).y > middle_of(triangles[b]).y; });
+		const float cell = 2.0f * reach / SHADE_CELLS;
+		std::vector<float> covered(static_cast<size_t>(SHADE_CELLS) * static_cast<size_t>(SHADE_CELLS), 0.0f);
+		const auto place = [&](float value) {
+			return static_cast<size_t>(std::clamp(static_cast<int>((value + reach) / cell), 0, SHADE_CELLS - 1));
+		};
+		for (const size_t i : from_above) {
+			CardTriangle &triangle = triangles[i];
+			const Corner(&c)[3] = triangle.corners;
+			const Corner middle = middle_of(triangle);
+			float &above = covered[place(middle.depth) * SHADE_CELLS + place(middle.x)];
+			triangle.light *= 1.0f - MAX_SHADE * std::min(above, 1.0f);
+			const float twice =
+					(c[1].x - c[0].x) * (c[2].depth - c[0].depth) - (c[2].x - c[0].x) * (c[1].depth - c[0].depth);
+			above += 0.5f * std::abs(twice) / (cell * cell);
+		}
+	}
+
 	std::vector<CardTriangle> triangles;
 
 private:
 	const PlantForm &form;
 	const CardAxis &axis;
 	std::map<int, PartTemplate> shapes; ///< By kind.
+
+	static Corner middle_of(const CardTriangle &triangle) {
+		const Corner(&c)[3] = triangle.corners;
+		return { (c[0].x + c[1].x + c[2].x) / 3.0f, (c[0].y + c[1].y + c[2].y) / 3.0f,
+			(c[0].depth + c[1].depth + c[2].depth) / 3.0f };
+	}
 
 	PartTemplate make(const PlacedPart &placed, const Part &part) const {
 		return make_part_template(part, form.midrib_of(placed), details_of(part).front(), mean_color(part));
@@ -299,6 +333,7 @@ std::vector<CardPicture> draw_card(const PlantForm &form, const CardPlaces &all,
 	if (shape != CardShape::head) {
 		return { draw(parts.triangles, bordered(parts.box(), width, height), width, height) };
 	}
+	parts.shade();
 	const CardBox whole = parts.box();
 	std::vector<std::vector<CardTriangle>> views;
 	for (const float sine : HEAD_VIEWS) {

@@ -15,6 +15,7 @@ namespace {
 constexpr float LONG_FROM = 0.5f; // Offset: cards from here on are heads.
 constexpr float MARGIN = 0.02f; // Of the rows of a picture.
 constexpr float MAX_LARGER = 1.3f;
+constexpr float MAX_WIDER = 1.15f; // Of strips: wider ones cover too much from above.
 
 int rows_of(const CardGroup &group, const CardPlace &place, const CardRows &rows) {
 	if (group.shape == CardShape::head || group.shape == CardShape::leaf) {
@@ -52,7 +53,7 @@ glm::vec2 covered_rows(const CardLayer &layer) {
 /// Makes the cards of one place.
 class StripMaker {
 public:
-	/// `larger`: factor of the size of heads.
+	/// `larger`: factor of the size of heads, and of the width of strips.
 	StripMaker(const CardForm &p_form, const CardSheet &p_sheet, const DrawnAttachments &p_drawn, size_t place,
 			float p_larger) :
 			form(p_form),
@@ -78,7 +79,7 @@ public:
 			const glm::vec2 edge = edge_between(layer, way - reach, way + reach);
 			CardStrip::Row row = row_at(along_of(way));
 			const PartAxes axes = axes_at(along_of(way));
-			const float half = layer.box.half * across;
+			const float half = layer.box.half * across * std::min(larger, MAX_WIDER);
 			row.left = axes.x * (edge.x * half);
 			row.right = axes.x * (edge.y * half);
 			row.normal = is_flat ? axes.outward * -1.0f : axes.along;
@@ -163,7 +164,7 @@ private:
 	}
 };
 
-/// By group: factor of the size of heads, which then cover as much as all heads, also those on carriers that are not
+/// By group: factor of the size of cards, which then cover as much as all cards, also those on carriers that are not
 /// drawn.
 std::vector<float> enlargements(const CardForm &form, const CardSheet &sheet, const FormPlan &plan) {
 	std::vector<float> all(sheet.groups.size(), 0.0f);

@@ -10,7 +10,7 @@ struct CardRows {
 	int of_head;
 };
 /// From fine to coarse.
-inline constexpr CardRows CARD_ROWS[] = { { 7, 4 }, { 5, 3 }, { 3, 2 } };
+inline constexpr CardRows CARD_ROWS[] = { { 7, 4 }, { 5, 3 }, { 3, 2 }, { 2, 2 } };
 
 /// Returns the vertices of the cards of a place.
 int count_card(const CardSheet &sheet, const CardPlace &place, const CardRows &rows);

@@ -17,8 +17,8 @@ MeshCounts count_body(const PartGroup &group, const BodyDetail &detail) {
 	return { detail.sides * rings + poles, 3 * detail.sides * (2 * (rings - 1) + poles) };
 }
 
-FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget) {
-	PlanSteps steps(form, measure, budget > vertex_budget(FINEST_USUAL_LOD));
+FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget, const CarriedCards &cards) {
+	PlanSteps steps(form, measure, budget > vertex_budget(FINEST_USUAL_LOD), cards);
 	bool is_cut = false;
 	while (steps.vertices() > budget && steps.take_best(budget)) {
 		is_cut = true;
@@ -28,6 +28,17 @@ FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget
 	FormPlan plan = steps.finish();
 	plan.is_cut = is_cut;
 	return plan;
+}
+
+bool has_open_bodies(const PlantForm &form, const FormPlan &plan) {
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const size_t group = static_cast<size_t>(form.placed[i].group);
+		if (plan.fates[i] == FormPlan::merged && plan.groups[group].body.sides > 0 &&
+				form.groups[group].layout != Layout::disc) {
+			return true;
+		}
+	}
+	return false;
 }
 
 void divide_carriers(const PlantForm &form, int rows, FormPlan &plan) {

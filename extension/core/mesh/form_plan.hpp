@@ -50,10 +50,23 @@ struct FormPlan {
 /// Returns the size of the body of a group on one carrier.
 MeshCounts count_body(const PartGroup &group, const BodyDetail &detail);
 
+/// The cards on the parts of a form. They are drawn where their carrier is drawn.
+struct CarriedCards {
+	std::vector<int> vertices; ///< By placed part: of the cards that it carries. Empty: no cards.
+	std::vector<float> areas; ///< By group: of its cards from the side (m²).
+	std::vector<glm::vec4> colors; ///< By group: their mean colour.
+
+	bool is_empty() const { return vertices.empty(); }
+};
+
 /// Reduces detail until the mesh has at most `budget` vertices, 12 or more. Each step has the smallest change of the
 /// silhouette per saved vertex. Usually the details of many small parts are first: they become pyramids, then one dome
 /// or spindle in their mean colour. Columns, rows, parts by rank and the stem's roundness follow.
-FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget);
+/// The budget includes the cards, `counts` does not.
+FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget, const CarriedCards &cards = {});
+
+/// True if a body replaces parts that are not close together, as those of a disc are.
+bool has_open_bodies(const PlantForm &form, const FormPlan &plan);
 
 /// Draws parts on the ground that carry others with `rows` segments at least, so that skins that bend along a curve do
 /// not leave what they carry. It may exceed the budget of the plan.

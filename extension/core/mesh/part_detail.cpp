@@ -10,6 +10,8 @@ namespace {
 constexpr float POINT = 0.02f; // Fraction of the width: narrower tips are points.
 constexpr float LID = 0.0015f; // m: narrower tips stay open.
 constexpr int PYRAMID_ROWS = 1;
+constexpr float SLENDER = 8.0f; // Length over width.
+constexpr float SPIKE_ERROR = 0.06f;
 
 const std::vector<PartDetail> BEAD_DETAILS = { { 4, 3 }, { 4, 2 }, { 3, PYRAMID_ROWS } };
 const std::vector<PartDetail> BLADE_DETAILS = { { 5, 8 }, { 5, 6 }, { 3, 6 }, { 3, 4 }, { 3, 3 }, { 2, 4 }, { 2, 3 },
@@ -87,6 +89,11 @@ bool ends_in_point(const Part &part) {
 	return part.kind == PartKind::bead || part.width_at(1.0f) <= POINT;
 }
 
+bool is_spike(const Part &part, const PartDetail &detail) {
+	return part.kind == PartKind::blade && detail.columns == 2 && detail.rows == 1 && !ends_in_point(part) &&
+			part.mean_length() >= SLENDER * part.width;
+}
+
 bool has_lid(const Part &part, const PartDetail &detail) {
 	return part.kind == PartKind::axis && detail.columns > 3 && !part.axis.open_tip &&
 			part.width_at(1.0f) * part.width > LID;
@@ -130,7 +137,7 @@ MeshCounts count_part(const Part &part, const PartDetail &detail) {
 	}
 	const bool is_sheet = part.kind == PartKind::blade || c == 2;
 	const int spans = is_sheet ? c - 1 : c;
-	const bool pointed = ends_in_point(part) && !part.axis.open_tip;
+	const bool pointed = (ends_in_point(part) && !part.axis.open_tip) || is_spike(part, detail);
 	const bool lid = has_lid(part, detail);
 	const int rings = pointed ? rows : rows + 1;
 	const int triangles = 2 * spans * (rings - 1) + (pointed || lid ? spans : 0);
@@ -145,7 +152,7 @@ float error_of(const Part &part, const PartDetail &detail) {
 	// A single row runs from the base's width to the tip's and omits a wider middle.
 	const bool is_one = detail.rows == 1 && part.kind == PartKind::blade;
 	const float inside = is_one ? 0.6f * std::max(part.widths.widest() - 0.2f, 0.0f) : 0.0f;
-	const float edge = is_even(part) ? 0.0f : 0.06f * square(span) + inside;
+	const float edge = is_spike(part, detail) ? SPIKE_ERROR : is_even(part) ? 0.0f : 0.06f * square(span) + inside;
 	const float chord = (is_one ? 0.06f : 0.04f) * square(std::abs(part.curve.bend) * span) +
 			0.2f * square(part.curve.wander * span);
 	return edge + chord + (part.kind == PartKind::blade ? blade_error(part, detail) : round_error(detail));

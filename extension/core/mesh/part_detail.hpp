@@ -29,6 +29,8 @@ float error_of(const Part &part, const PartDetail &detail);
 bool is_even(const Part &part);
 /// True if the part ends in one vertex: a point, or the middle of its lid.
 bool ends_in_point(const Part &part);
+/// True if the detail draws a slender blade with a blunt tip as a triangle of its area.
+bool is_spike(const Part &part, const PartDetail &detail);
 /// True if a closed tube has a lid, because its tip is still wide.
 bool has_lid(const Part &part, const PartDetail &detail);
 /// True if the detail follows each tooth of a blade's edge.

@@ -26,7 +26,7 @@ PartTemplate make_ribbon_template(const Part &part, const Midrib &midrib, const 
 	for (int i = 0; i < SAMPLES; i++) {
 		flat.widths.samples.push_back(part.width_at(static_cast<float>(i) / (SAMPLES - 1)));
 	}
-	return make_sheet_template(flat, midrib, detail);
+	return make_sheet_template(flat, midrib, detail, false);
 }
 
 /// Returns the squared mean colour of a template's triangles, weighted by area for the part's length and width.
@@ -66,7 +66,7 @@ PartTemplate make_part_template(
 	if (part.kind == PartKind::bead) {
 		out = make_bead_template(part, midrib, detail);
 	} else if (part.kind == PartKind::blade) {
-		out = make_sheet_template(part, midrib, detail);
+		out = make_sheet_template(part, midrib, detail, is_spike(part, detail));
 	} else if (detail.columns == 2) {
 		out = make_ribbon_template(part, midrib, detail);
 	} else {

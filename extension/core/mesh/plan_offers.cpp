@@ -63,7 +63,8 @@ float PlanSteps::dropped_area(const State &state) const {
 
 float PlanSteps::own_error(const State &state) const {
 	const float flat = state.is_stem && state.details[state.detail].columns == 2 ? FLAT_STEM : 0.0f;
-	return state.area * (state.errors[state.detail] + flat + thin_error(state, state.density));
+	return state.area * (state.errors[state.detail] + flat) +
+			(state.area + state.card_area) * thin_error(state, state.density);
 }
 
 void PlanSteps::offer(
@@ -136,8 +137,8 @@ void PlanSteps::offer_few(Step &best, int group, size_t density, int excess) con
 void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	const State &state = states[static_cast<size_t>(group)];
 	const PartGroup &own = form.groups[static_cast<size_t>(group)];
-	if (own.carrier_group == ON_GROUND || own.count < 2) {
-		return; // A tuft is not a lump, and a single part stays a part.
+	if (own.carrier_group == ON_GROUND || own.count < 2 || state.carries_cards) {
+		return; // A tuft is not a lump, a single part stays a part, and bodies carry no cards.
 	}
 	const int carriers =
 			state.body > 0 ? state.bodies : std::max(1, states[static_cast<size_t>(own.carrier_group)].parts);

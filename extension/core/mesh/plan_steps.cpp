@@ -29,8 +29,9 @@ float cover_of(const PartGroup &group, const Part &part) {
 
 } // namespace
 
-PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, bool is_close) :
-		form(p_form), measure(p_measure), states(p_form.groups.size()) {
+PlanSteps::PlanSteps(
+		const PlantForm &p_form, const FormMeasure &p_measure, bool is_close, const CarriedCards &p_cards) :
+		form(p_form), measure(p_measure), cards(p_cards), states(p_form.groups.size()) {
 	for (size_t g = 0; g < states.size(); g++) {
 		const Part &part = form.parts[static_cast<size_t>(form.groups[g].kind)];
 		State &state = states[g];
@@ -47,6 +48,7 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, bool
 			states[static_cast<size_t>(carrier)].is_stem = true;
 		}
 	}
+	find_cards();
 	find_relatives();
 	find_contrasts();
 	find_worths();
@@ -60,6 +62,20 @@ void PlanSteps::count_left(size_t group) {
 	for (int i = own.first; i < own.first + own.count; i++) {
 		for (size_t density = 0; density < DENSITY_COUNT; density++) {
 			states[group].left[density] += form.placed[static_cast<size_t>(i)].rank < DENSITIES[density] ? 1 : 0;
+		}
+	}
+}
+
+/// Groups are after those of their carriers.
+void PlanSteps::find_cards() {
+	for (size_t g = states.size(); g-- > 0 && !cards.is_empty();) {
+		State &state = states[g];
+		state.card_area = cards.areas[g];
+		state.carries_cards = state.carries_cards || state.card_area > 0.0f;
+		state.is_stem = state.is_stem || (state.card_area > 0.0f && form.groups[g].depth == 1);
+		const int carrier = form.groups[g].carrier_group;
+		if (carrier != ON_GROUND && state.carries_cards) {
+			states[static_cast<size_t>(carrier)].carries_cards = true;
 		}
 	}
 }
@@ -94,12 +110,17 @@ void PlanSteps::find_worths() {
 	float whole = 1e-12f;
 	for (size_t g = 0; g < states.size(); g++) {
 		mean += measure.colors[static_cast<size_t>(form.groups[g].kind)] * states[g].area;
-		whole += states[g].area;
+		mean += cards.is_empty() ? glm::vec4(0.0f) : cards.colors[g] * states[g].card_area;
+		whole += states[g].area + states[g].card_area;
 	}
+	const auto worth_of = [&](const glm::vec4 &color) {
+		const glm::vec3 way(color - mean / whole);
+		return 1.0f + CONTRAST_WEIGHT * glm::dot(way, way);
+	};
 	for (size_t g = 0; g < states.size(); g++) {
-		const glm::vec3 way(measure.colors[static_cast<size_t>(form.groups[g].kind)] - mean / whole);
-		states[g].worth = 1.0f + CONTRAST_WEIGHT * glm::dot(way, way);
+		states[g].worth = worth_of(measure.colors[static_cast<size_t>(form.groups[g].kind)]);
 		states[g].area *= states[g].worth;
+		states[g].card_area *= cards.is_empty() ? 1.0f : worth_of(cards.colors[g]);
 	}
 }
 
@@ -108,7 +129,7 @@ void PlanSteps::recount() {
 	bodies.assign(form.placed.size(), -1);
 	body_count = 0;
 	for (State &state : states) {
-		state.parts = state.bodies = 0;
+		state.parts = state.bodies = state.card_vertices = 0;
 	}
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const PlacedPart &part = form.placed[i];
@@ -129,6 +150,7 @@ void PlanSteps::recount() {
 			state.bodies += goes_on ? 0 : 1;
 		} else {
 			state.parts++;
+			state.card_vertices += cards.is_empty() ? 0 : cards.vertices[i];
 		}
 	}
 	add_up_branches();
@@ -136,7 +158,7 @@ void PlanSteps::recount() {
 
 int PlanSteps::own_vertices(size_t group) const {
 	const State &state = states[group];
-	return state.parts * state.costs[state.detail] +
+	return state.parts * state.costs[state.detail] + state.card_vertices +
 			state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
 }
 
@@ -153,7 +175,7 @@ void PlanSteps::add_up_branches() {
 	}
 	for (size_t g = states.size(); g-- > 0;) {
 		State &state = states[g];
-		state.branch_area = state.area;
+		state.branch_area = state.area + state.card_area;
 		state.branch_error = own_error(state);
 		for (const size_t other : state.carried) {
 			state.branch_vertices += states[other].branch_vertices;
@@ -179,7 +201,7 @@ int PlanSteps::count_drawn(size_t group, float density) const {
 /// True if undoing a step, to `next`, may fit into this many vertices. For carriers only a trial shows it.
 bool PlanSteps::could_fit(size_t group, const Drawn &next, int room) const {
 	const State &state = states[group];
-	if (!state.carried.empty() || (state.body == 0) != (next.body == 0)) {
+	if (!state.carried.empty() || state.card_area > 0.0f || (state.body == 0) != (next.body == 0)) {
 		return true;
 	}
 	const int bodies_now = state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
@@ -275,7 +297,7 @@ FormPlan PlanSteps::finish() {
 		const PartDetail &detail = state.details[state.detail];
 		plan.groups.push_back({ detail, DENSITIES[state.density], BODIES[state.body] });
 		const MeshCounts part = count_part(form.parts[static_cast<size_t>(form.groups[g].kind)], detail);
-		plan.counts.vertices += own_vertices(g);
+		plan.counts.vertices += own_vertices(g) - state.card_vertices;
 		plan.counts.indices +=
 				state.parts * part.indices + state.bodies * count_body(form.groups[g], BODIES[state.body]).indices;
 	}

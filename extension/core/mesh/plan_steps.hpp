@@ -22,7 +22,7 @@ inline constexpr float FLAT_STEM = 0.1f; ///< A ribbon as a stem is thinner from
 class PlanSteps {
 public:
 	/// `is_close`: starts with close-up details.
-	PlanSteps(const PlantForm &form, const FormMeasure &measure, bool is_close = false);
+	PlanSteps(const PlantForm &form, const FormMeasure &measure, bool is_close = false, const CarriedCards &cards = {});
 
 	int vertices() const { return total; }
 	/// Takes the step with the lowest cost per saved vertex; vertices below the budget do not count as saved. For
@@ -49,6 +49,9 @@ private:
 		std::vector<float> errors; ///< As fractions of its area, at each detail.
 		int parts = 0; ///< Number of drawn parts.
 		int bodies = 0;
+		int card_vertices = 0; ///< Of the cards on drawn parts.
+		float card_area = 0.0f; ///< Of the cards on all its parts (m²).
+		bool carries_cards = false; ///< Itself, or its parts do.
 		float area = 0.0f; ///< Shown area of all its parts (m²).
 		bool is_stem = false; ///< True if it grows from the ground and carries parts.
 		std::vector<int> left; ///< Remaining parts for each entry of DENSITIES.
@@ -79,6 +82,7 @@ private:
 
 	const PlantForm &form;
 	const FormMeasure &measure;
+	const CarriedCards cards;
 	std::vector<State> states;
 	std::vector<Twins> twins;
 	std::vector<FormPlan::Fate> fates;
@@ -91,6 +95,7 @@ private:
 	void draw(size_t group, const Drawn &drawn) { static_cast<Drawn &>(states[group]) = drawn; }
 	void recount();
 	void count_left(size_t group);
+	void find_cards();
 	void find_relatives();
 	void find_contrasts();
 	void find_worths();

@@ -27,17 +27,21 @@ void add_sheet_row(PartTemplate &out, const Part &part, const BladeRow &row, con
 
 } // namespace
 
-PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail) {
+PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail, bool has_spike) {
 	PartTemplate out = room_for(part, detail);
 	const std::vector<float> offsets = row_offsets(part, detail);
 	const std::vector<BladeColumn> columns = blade_columns(part.blade, detail.columns);
-	const bool pointed = ends_in_point(part) && !part.axis.open_tip;
+	const bool pointed = has_spike || (ends_in_point(part) && !part.axis.open_tip);
 	const bool teeth = shows_teeth(part, detail);
 	Weaver weaver(out, detail.columns, false);
 	for (int i = 0; i <= detail.rows; i++) {
 		const int first = static_cast<int>(out.vertices.size());
-		const BladeRow row = make_blade_row(part, midrib, offsets[static_cast<size_t>(i)], teeth);
+		BladeRow row = make_blade_row(part, midrib, offsets[static_cast<size_t>(i)], teeth);
 		const bool is_tip = pointed && i == detail.rows;
+		if (has_spike) {
+			row.half_width = is_tip ? 0.0f : part.widths.mean();
+			row.half_width_slope = -part.widths.mean();
+		}
 		add_sheet_row(
 				out, part, row, is_tip ? std::vector<BladeColumn>{ make_blade_column(part.blade, 0.0f) } : columns);
 		if (is_tip) {

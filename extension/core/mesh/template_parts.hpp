@@ -51,8 +51,8 @@ inline PartTemplate room_for(const Part &part, const PartDetail &detail) {
 	return out;
 }
 
-/// Parts of make_part_template().
-PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
+/// Parts of make_part_template(). `has_spike`: ends in a point, and is as wide at its base as a triangle of its area.
+PartTemplate make_sheet_template(const Part &part, const Midrib &midrib, const PartDetail &detail, bool has_spike);
 PartTemplate make_tube_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
 PartTemplate make_bead_template(const Part &part, const Midrib &midrib, const PartDetail &detail);
 

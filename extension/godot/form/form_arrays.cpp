@@ -147,7 +147,7 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
 	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty(),
-		!cards.is_empty() && cards.rest.body_count > 0 };
+		cards.is_empty() ? has_open_bodies(grown.form, plan) : cards.rest.body_count > 0 };
 }
 
 } // namespace undergrowth

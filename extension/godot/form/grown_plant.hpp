@@ -13,6 +13,12 @@
 
 namespace undergrowth {
 
+/// What a level of a plant looks like.
+struct LevelLooks {
+	float error = 0.0f; ///< Of the outline (m).
+	bool has_bodies = false; ///< Of SharedMesh.
+};
+
 /// A generated plant of parts. All levels of detail share it.
 class GrownPlant {
 public:
@@ -29,22 +35,22 @@ public:
 
 	/// The same plant with cards, made at the first call. `sheet`: the one of its species. Any thread.
 	const CardForm &card_form(const CardSheet &sheet) const {
-		std::call_once(has_card_form, [this, &sheet] { with_cards = make_card_form(form, sheet); });
+		std::call_once(has_card_form, [this, &sheet] { with_cards = make_card_form(form, measure(), sheet); });
 		return with_cards;
 	}
 
-	/// Returns the error of the outline at a level with `segments` (m). `measure` runs once for each number of
-	/// segments, with and without cards. Any thread.
-	float level_error(int segments, bool has_cards, const std::function<float()> &measure) const {
+	/// Returns the looks of a level with `segments`. `measure` runs once for each number of segments, with and without
+	/// cards. Any thread.
+	LevelLooks level_looks(int segments, bool has_cards, const std::function<LevelLooks()> &measure) const {
 		const std::lock_guard<std::mutex> lock(measuring);
 		const std::pair<int, bool> level(segments, has_cards);
-		const auto known = level_errors.find(level);
-		return known != level_errors.end() ? known->second : level_errors.emplace(level, measure()).first->second;
+		const auto known = looks.find(level);
+		return known != looks.end() ? known->second : looks.emplace(level, measure()).first->second;
 	}
 
 private:
 	mutable std::mutex measuring;
-	mutable std::map<std::pair<int, bool>, float> level_errors; ///< m, by segments, with and without cards.
+	mutable std::map<std::pair<int, bool>, LevelLooks> looks; ///< By segments, with and without cards.
 	mutable std::once_flag is_measured;
 	mutable FormMeasure measured;
 	mutable std::once_flag has_card_form;

@@ -25,7 +25,8 @@ struct MeshArrays {
 	godot::Ref<godot::Material> material; ///< Null: the add-on's material.
 	bool has_parts = false;
 	bool has_cards = false;
-	bool has_bodies = false; ///< Beside cards: solid shapes in place of several parts.
+	/// Solid shapes in place of several parts. Without cards, only those in place of parts that are not close together.
+	bool has_bodies = false;
 
 	/// Largest distance from the axis (m), deviations included.
 	float width() const;

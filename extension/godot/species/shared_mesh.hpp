@@ -37,7 +37,7 @@ public:
 	godot::Vector2 from_above() const { return built_from_above; }
 	/// True if it contains cards. Call after build().
 	bool has_cards() const { return built_has_cards; }
-	/// True if solid shapes replace several parts beside the cards.
+	/// See MeshArrays. Call after build().
 	bool has_bodies() const { return built_has_bodies; }
 	/// Returns the error of the outline (m) of a plant of parts. Builds the arrays if necessary. Any thread.
 	float outline_error(const LevelError &whole);

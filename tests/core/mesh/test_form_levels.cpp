@@ -1,5 +1,6 @@
 #include "../form/form_species.hpp"
 #include "form_mesh_fixture.hpp"
+#include "mesh/part_template.hpp"
 #include "mesh/plan_steps.hpp"
 
 #include <doctest/doctest.h>
@@ -314,6 +315,45 @@ TEST_CASE("a plan restores removed blades when there is room") {
 		}
 		CHECK(steps.vertices() == whole);
 	}
+}
+
+TEST_CASE("slender leaves with blunt tips become triangles of their area before they are fewer") {
+	Part leaf;
+	leaf.length_min = leaf.length_max = 0.06f;
+	leaf.width = 0.0036f;
+	leaf.widths.samples = { 0.55f, 0.9f, 1.0f, 0.9f, 0.4f };
+	Arrangement tuft;
+	tuft.layout = Layout::ground;
+	tuft.count_min = tuft.count_max = 30;
+	tuft.radius = 0.02f;
+	tuft.angle = { 0.0f, 0.5f };
+	Growth growth(0.3f, 1);
+	int kind = 0;
+	std::vector<int> handles;
+	REQUIRE(growth.add_kind(leaf, kind) == "");
+	REQUIRE(growth.arrange(kind, tuft, { ON_GROUND }, handles) == "");
+	const PlantForm form = growth.finish();
+	const FormPlan plan = plan_form(form, measure_form(form), 90);
+	CHECK(plan.counts.vertices == 90);
+	CHECK(plan.groups[0].density == 1.0f);
+	CHECK(is_spike(form.parts[0], plan.groups[0].detail));
+	const auto area = [&](const PartDetail &detail) {
+		const PartTemplate shape = make_part_template(form.parts[0], form.midrib_of(form.placed[0]), detail, {});
+		float twice = 0.0f;
+		for (size_t i = 0; i < shape.indices.size(); i += 3) {
+			glm::vec3 corners[3];
+			for (size_t k = 0; k < 3; k++) {
+				const SurfacePoint &point = shape.vertices[static_cast<size_t>(shape.indices[i + k])].point;
+				corners[k] = point.middle * leaf.length_max + point.aside * leaf.width;
+			}
+			twice += glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+		}
+		return twice;
+	};
+	CHECK(area(plan.groups[0].detail) == doctest::Approx(area({ 2, 8 })).epsilon(0.05));
+	Part broad = leaf;
+	broad.width = 0.01f;
+	CHECK_FALSE(is_spike(broad, plan.groups[0].detail));
 }
 
 TEST_CASE("the mean colour of a part is half way between midrib and edge") {

@@ -24,9 +24,9 @@ static constexpr float MIN_MARGIN = 1e-3f; // m.
 // Pixels per radian in the middle of a picture of 1080 lines with a vertical angle of view of 75°.
 static constexpr float PIXELS_OF_RADIAN = 703.7f;
 static constexpr float NEAREST = 0.5f; // m: a level that ends nearer is not used.
-static constexpr float MAX_SHARE_OF_NEXT = 0.8f; // Largest begin of a level, as a share of its end.
+static constexpr float MAX_SHARE_OF_NEXT = 0.7f; // Largest begin of a level, as a share of its end.
 // The same for solid levels after one with cards that begin nearer than SOLID_SEEN_END (m). Their forms visibly differ.
-static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.65f;
+static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.5f;
 static constexpr float SOLID_SEEN_END = 5.0f;
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
 // m: a level that begins nearer, and is drawn plant by plant, has this many variants. A plant must not become another
@@ -51,6 +51,7 @@ static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
 static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
 static constexpr float MAX_COARSENING = 64.0f;
 static constexpr float COARSENED_AT = 10.0f; // m.
+static constexpr float COARSENING_POWER = 0.85f; // Below 1: distances keep a part of their ratios and do not meet.
 
 // Distances (m) at which levels of plants without parts begin, by segments.
 static float lathe_begin(int segments) {
@@ -79,7 +80,8 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 		const float own = has_error
 				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
 				: lathe_begin(setup.levels[i].lod);
-		begins.push_back(i == 0 ? 0.0f : own / (1.0f + (coarser - 1.0f) * own / COARSENED_AT) * rule.lod_bias);
+		const float far = std::pow(own / COARSENED_AT, COARSENING_POWER);
+		begins.push_back(i == 0 ? 0.0f : own / (1.0f + (coarser - 1.0f) * far) * rule.lod_bias);
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);

@@ -19,9 +19,8 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr size_t MEASURED_VARIANTS = 3;
-static constexpr int MIN_CARD_SEGMENTS = 4; // Coarser levels are drawn in large numbers and cast shadows.
-static constexpr int MAX_CARD_SEGMENTS = 16;
 static constexpr float CARD_SHARE = 2.0f / 3.0f; // Of their error: three pixels in place of two.
+static constexpr float BODY_SHARE = 2.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
 static constexpr float MIN_CARD_GAIN = 0.85f;
 
@@ -91,16 +90,15 @@ void SpeciesStyle::load_shader() const {
 	}
 }
 
-// The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards. Without solid
-// bodies beside them, cards count CARD_SHARE of their error.
-float SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
-	float worst = 0.0f;
+// The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards.
+LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
+	LevelLooks worst;
 	for (size_t variant = 0; variant < outlines.size(); variant++) {
 		const GrownPlant &grown = *samples[0][variant].grown;
 		SampledPlant sampled = samples[0][variant];
 		sampled.lod = segments_at(levels[level]);
 		sampled.cards = has_cards ? cards : nullptr;
-		const float error = grown.level_error(sampled.lod, has_cards, [&] {
+		const LevelLooks looks = grown.level_looks(sampled.lod, has_cards, [&]() -> LevelLooks {
 			if (!outlines[variant]) {
 				outlines[variant].emplace(measure_outline(grown.form));
 			}
@@ -108,17 +106,30 @@ float SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std:
 			measured.back()->build();
 			SharedMesh &mesh = *measured.back();
 			if (has_cards && !mesh.has_cards()) {
-				return std::numeric_limits<float>::infinity();
+				return { std::numeric_limits<float>::infinity(), false };
 			}
-			return (has_cards && !mesh.has_bodies() ? CARD_SHARE : 1.0f) * mesh.outline_error(*outlines[variant]);
+			return { mesh.outline_error(*outlines[variant]), mesh.has_bodies() };
 		});
-		worst = std::max(worst, error);
+		worst.error = std::max(worst.error, looks.error);
+		worst.has_bodies = worst.has_bodies || looks.has_bodies;
 	}
 	return worst;
 }
 
 // A texture shows the true shapes where its outline is a few pixels off, so that cards may be less exact than solid
-// parts. Nearer than their texels allow, they are blurred. They cost more pixels and must be better by a margin.
+// parts, if no bodies are beside them. Nearer than their texels allow, they are blurred. They cost more pixels and must
+// be better by a margin. A body in place of open parts looks wrong, even if its outline is better.
+void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies) {
+	const LevelLooks looks = measure_level(level, true, outlines);
+	const float own = (looks.has_bodies ? 1.0f : CARD_SHARE) * looks.error;
+	const float finest = *std::min_element(errors.begin(), errors.end());
+	const float blurred = std::max(own, TEXELS * texel_of(cards->sheet()));
+	const float allowed = std::max(blurred, std::min(own / CARD_SHARE, finest));
+	are_carded[level] =
+			has_bodies ? blurred < MIN_CARD_GAIN * BODY_SHARE * errors[level] : allowed < MIN_CARD_GAIN * errors[level];
+	errors[level] = are_carded[level] ? allowed : errors[level];
+}
+
 void SpeciesStyle::measure() {
 	if (!is_by_error || samples.empty()) {
 		return;
@@ -127,15 +138,10 @@ void SpeciesStyle::measure() {
 	std::vector<std::optional<LevelError>> outlines(std::min(samples[0].size(), MEASURED_VARIANTS));
 	are_carded.assign(samples.size(), false);
 	for (size_t level = 0; level < samples.size(); level++) {
-		errors.push_back(measure_level(level, false, outlines));
-		const int segments = segments_at(levels[level]);
-		if (has_cards && segments >= MIN_CARD_SEGMENTS && segments <= MAX_CARD_SEGMENTS) {
-			const float own = measure_level(level, true, outlines);
-			const float finest = *std::min_element(errors.begin(), errors.end());
-			const float allowed = std::max(own, std::min(own / CARD_SHARE, finest));
-			const float with_cards = std::max(allowed, TEXELS * texel_of(cards->sheet()));
-			are_carded[level] = with_cards < MIN_CARD_GAIN * errors[level];
-			errors[level] = are_carded[level] ? with_cards : errors[level];
+		const LevelLooks solid = measure_level(level, false, outlines);
+		errors.push_back(solid.error);
+		if (has_cards) {
+			measure_cards(level, outlines, solid.has_bodies);
 		}
 	}
 	for (size_t level = 0; level < samples.size(); level++) {

@@ -119,7 +119,8 @@ struct SpeciesStyle {
 
 private:
 	void build_meshes();
-	float measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
+	LevelLooks measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
+	void measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies);
 	void leave_unused();
 	void find_mean();
 	/// Reads all of the motion except the stem.
