@@ -11,7 +11,7 @@ const PAGES: PackedStringArray = [
 const SIZE := Vector2i(320, 180)
 ## Factor by which channels may be brighter, because antialiasing samples other points of a plant.
 ## The plain picture misses small highlights. Extrapolated values have no bound.
-const TOLERANCE_OF_LIGHT := 1.6
+const TOLERANCE_OF_LIGHT := 1.8
 
 
 func before_each() -> void:

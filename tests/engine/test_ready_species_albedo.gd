@@ -15,6 +15,7 @@ const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {
 	"garden_tulip": 10.0,
 	"ivy_carpet": 7.0,
 	"lavender": 9.5,
+	"lawn_grass": 6.5,
 	"moss_cushion": 8.0,
 	"oxeye_daisy": 13.5,
 	"poppy": 9.0,
