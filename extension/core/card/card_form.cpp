@@ -2,8 +2,7 @@
 
 #include "card/card_strips.hpp"
 #include "mesh/form_writer.hpp"
-
-#include <glm/geometric.hpp>
+#include "mesh/plan_steps.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +13,6 @@ namespace {
 
 constexpr float MAX_CARD_SHARE = 0.75f; // Of the budget.
 constexpr float MIN_DRAWN_SHARE = 0.6f; // Of the area of all cards. The drawn heads grow by as much.
-constexpr float CONTRAST_WEIGHT = 6.0f; // Of that area, times the squared distance to the colour of the other parts.
 
 /// Copies everything that is not in a card. `into`: index in the copy, by placed part; -1: in a card.
 PlantForm copy_rest(const PlantForm &form, const std::vector<int> &owners, std::vector<int> &into) {
@@ -90,8 +88,8 @@ float drawn_share(const CardForm &form, const CardSheet &sheet, const FormPlan &
 	float all = 0.0f;
 	for (size_t i = 0; i < form.places.size(); i++) {
 		const int layer = sheet.layers[static_cast<size_t>(form.places[i].group)];
-		const glm::vec3 way = glm::vec3(sheet.pictures[static_cast<size_t>(layer)].color) - mean;
-		const float area = form.shown[i] * (1.0f + CONTRAST_WEIGHT * glm::dot(way, way));
+		const glm::vec3 color(sheet.pictures[static_cast<size_t>(layer)].color);
+		const float area = form.shown[i] * worth_of(color, mean);
 		all += area;
 		drawn += plan.fates[static_cast<size_t>(form.places[i].carrier)] == FormPlan::drawn ? area : 0.0f;
 	}

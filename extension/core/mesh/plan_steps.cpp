@@ -13,7 +13,7 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float CONTRAST_WEIGHT = 6.0f; // Times the squared distance of a colour to the plant's mean.
+constexpr float CONTRAST_WEIGHT = 6.0f; // Times the squared distance of the colours.
 
 /// Returns the fraction of a group's body that its parts fill.
 float cover_of(const PartGroup &group, const Part &part) {
@@ -28,6 +28,11 @@ float cover_of(const PartGroup &group, const Part &part) {
 }
 
 } // namespace
+
+float worth_of(const glm::vec3 &color, const glm::vec3 &mean) {
+	const glm::vec3 way = color - mean;
+	return 1.0f + CONTRAST_WEIGHT * glm::dot(way, way);
+}
 
 PlanSteps::PlanSteps(
 		const PlantForm &p_form, const FormMeasure &p_measure, bool is_close, const CarriedCards &p_cards) :
@@ -113,14 +118,12 @@ void PlanSteps::find_worths() {
 		mean += cards.is_empty() ? glm::vec4(0.0f) : cards.colors[g] * states[g].card_area;
 		whole += states[g].area + states[g].card_area;
 	}
-	const auto worth_of = [&](const glm::vec4 &color) {
-		const glm::vec3 way(color - mean / whole);
-		return 1.0f + CONTRAST_WEIGHT * glm::dot(way, way);
-	};
+	mean /= whole;
 	for (size_t g = 0; g < states.size(); g++) {
-		states[g].worth = worth_of(measure.colors[static_cast<size_t>(form.groups[g].kind)]);
+		states[g].worth =
+				worth_of(glm::vec3(measure.colors[static_cast<size_t>(form.groups[g].kind)]), glm::vec3(mean));
 		states[g].area *= states[g].worth;
-		states[g].card_area *= cards.is_empty() ? 1.0f : worth_of(cards.colors[g]);
+		states[g].card_area *= cards.is_empty() ? 1.0f : worth_of(glm::vec3(cards.colors[g]), glm::vec3(mean));
 	}
 }
 

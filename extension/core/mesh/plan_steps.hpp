@@ -18,6 +18,10 @@ inline constexpr size_t BODY_COUNT = sizeof(BODIES) / sizeof(BODIES[0]);
 
 inline constexpr float FLAT_STEM = 0.1f; ///< A ribbon as a stem is thinner from some sides.
 
+/// Returns the factor of the area of parts by which they count: parts of a rare colour, as flowers, count more. `mean`:
+/// of the plant.
+float worth_of(const glm::vec3 &color, const glm::vec3 &mean);
+
 /// Reduces a form from full detail step by step (plan_form).
 class PlanSteps {
 public:

@@ -1,9 +1,8 @@
 #include "species/shared_mesh.hpp"
 
+#include "base/renderer.hpp"
 #include "form/shared_cards.hpp"
 #include "species/compact_arrays.hpp"
-
-#include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -142,12 +141,6 @@ float SharedMesh::outline_error(const LevelError &whole) {
 	return whole.of(level, cards);
 }
 
-static bool reads_half_floats() {
-	static const bool reads =
-			RenderingServer::get_singleton()->get_current_rendering_method() != String("gl_compatibility");
-	return reads;
-}
-
 // The engine may wait for the main thread while it creates a mesh, so this does not hold the lock. If two threads
 // create it at the same time, one drops its own.
 Ref<ArrayMesh> SharedMesh::make() {
@@ -159,7 +152,7 @@ Ref<ArrayMesh> SharedMesh::make() {
 		}
 		from = arrays;
 	}
-	const Ref<ArrayMesh> made = compact_arrays(from, reads_half_floats()).make();
+	const Ref<ArrayMesh> made = compact_arrays(from, !is_compatibility()).make();
 	const std::lock_guard<std::mutex> lock(building);
 	if (mesh.is_null()) {
 		mesh = made;

@@ -17,8 +17,7 @@ namespace undergrowth {
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-static Ref<Shader> *shaders[4] = { nullptr, nullptr, nullptr,
-	nullptr }; // For lathes, parts, parts with cards, and shadows.
+static Ref<Shader> *shaders[4] = {}; // For lathes, parts, parts with cards, and shadows.
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 

@@ -2,6 +2,7 @@
 
 #include "base/new_object.hpp"
 #include "base/random.hpp"
+#include "base/renderer.hpp"
 #include "base/stopwatch.hpp"
 #include "conventions.hpp"
 #include "field/build/field_areas.hpp"
@@ -251,7 +252,7 @@ void read_densities(const PlacementOptions &options, FieldRenderSetup &into) {
 
 String list_styles(const Node *field, const PlacementOptions &options, const std::vector<SpeciesStyle> &others,
 		FieldRenderSetup &into) {
-	into.needs_colors = RenderingServer::get_singleton()->get_current_rendering_method() == String("gl_compatibility");
+	into.needs_colors = is_compatibility();
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];
 		if (listed.is_null() || listed->get_species().is_null()) {

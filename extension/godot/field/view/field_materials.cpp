@@ -5,6 +5,7 @@
 #include "field/build/build_input.hpp"
 #include "field/view/field_material.hpp"
 #include "form/shared_cards.hpp"
+#include "species/shared_resources.hpp"
 #include "stem/stem_shape.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -213,7 +214,8 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 			const FieldLevel level = drawn_level(style, i);
 			const float nearest = level.begin - level.margin;
 			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
-			if (level.is_used && nearest < end) {
+			const bool swings = style.materials[i]->get_shader() != shadows_shader();
+			if (swings && level.is_used && nearest < end) {
 				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
 				swings_to = std::max(swings_to, end);
 			}

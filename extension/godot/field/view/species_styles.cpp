@@ -120,13 +120,17 @@ LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector
 // parts, if no bodies are beside them. Nearer than their texels allow, they are blurred. They cost more pixels and must
 // be better by a margin. A body in place of open parts looks wrong, even if its outline is better.
 void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies) {
+	const float sharpest = TEXELS * texel_of(cards->sheet());
+	const float most = MIN_CARD_GAIN * (has_bodies ? BODY_SHARE : 1.0f) * errors[level];
+	if (sharpest >= most) {
+		return; // Cards are not measured where their texels alone are too large.
+	}
 	const LevelLooks looks = measure_level(level, true, outlines);
 	const float own = (looks.has_bodies ? 1.0f : CARD_SHARE) * looks.error;
 	const float finest = *std::min_element(errors.begin(), errors.end());
-	const float blurred = std::max(own, TEXELS * texel_of(cards->sheet()));
+	const float blurred = std::max(own, sharpest);
 	const float allowed = std::max(blurred, std::min(own / CARD_SHARE, finest));
-	are_carded[level] =
-			has_bodies ? blurred < MIN_CARD_GAIN * BODY_SHARE * errors[level] : allowed < MIN_CARD_GAIN * errors[level];
+	are_carded[level] = (has_bodies ? blurred : allowed) < most;
 	errors[level] = are_carded[level] ? allowed : errors[level];
 }
 
