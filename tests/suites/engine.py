@@ -51,6 +51,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "field_skeletons": ["gl_compatibility", "forward_plus"],
          "field_levels": ["gl_compatibility", "forward_plus"],
          "field_widths": ["gl_compatibility", "forward_plus"],
+         "field_vectors": ["forward_plus"],
          "field_scaled": ["gl_compatibility"], "field_materials_in_use": ["gl_compatibility"],
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],

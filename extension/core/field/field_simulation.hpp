@@ -112,6 +112,8 @@ public:
 	const std::vector<int> &due_pages() const { return stepping; }
 	/// True if the present step changed the page's bends.
 	bool has_stepped(int page) const { return beat(page).last_step == next_step - 1; }
+	/// Number of steps so far.
+	int64_t step_count() const { return next_step; }
 	/// Interpolation weight from each plant's bend before to its bend after, `fraction` of a step after the present one
 	/// started.
 	float alpha(int page, float fraction) const;

@@ -127,11 +127,25 @@ void FieldRuntime::refresh(const Transform3D &axes) {
 
 void FieldRuntime::cull() {
 	view.note_drawing();
-	if (view.culls() && node->is_visible_in_tree()) {
+	if (node->is_visible_in_tree()) {
 		const Stopwatch watch;
-		view.cull(find_drawing_cameras(node));
+		const std::vector<DrawingCamera> cameras = find_drawing_cameras(node);
+		if (view.culls()) {
+			view.cull(cameras);
+		}
+		if (motion.is_ready()) {
+			write_vectors(cameras);
+		}
 		thin_usec = watch.usec();
 	}
+}
+
+void FieldRuntime::write_vectors(const std::vector<DrawingCamera> &cameras) {
+	const bool are_wanted =
+			std::any_of(cameras.begin(), cameras.end(), [](const DrawingCamera &camera) { return camera.has_vectors; });
+	const MotionVectors::Sent before = vectors.next({ motion.shown_steps(), motion.swing_clock() }, are_wanted);
+	view.set_tilt(before.tilt, cameras);
+	materials.send_before(setup, before, motion.step_length());
 }
 
 void FieldRuntime::update_render_flags(const InstanceRenderFlags &wanted) {

@@ -169,6 +169,7 @@ private:
 	std::vector<FieldRenderSetup> retired; ///< Used by multimeshes that draw nothing, until all of them are freed.
 	std::vector<std::vector<godot::Ref<godot::ShaderMaterial>>> retired_materials; ///< As `retired`.
 	FieldView view;
+	MotionVectors vectors;
 	InstanceRenderFlags flags;
 	std::set<TileKey> unseen; ///< Tiles with added or removed plants of code that are not drawn yet.
 	bool is_unshown = false; ///< Plants were removed or changed since the last refresh().
@@ -212,6 +213,7 @@ private:
 	bool felt_air = false;
 
 	void refresh(const godot::Transform3D &axes);
+	void write_vectors(const std::vector<DrawingCamera> &cameras);
 	SeenDistances seen_distances(const godot::Transform3D &axes);
 
 	/// Render settings of skeletons, which are drawn at the first level.

@@ -612,6 +612,7 @@ bool FieldMotion::upload() {
 	dirty_pages.clear();
 	const bool are_new = textures->make_textures();
 	textures->upload(*simulation, shown_alpha);
+	shown_at = double(simulation->step_count()) + double(shown_alpha);
 	const bool are_first = textures->has_heights() && !showed_heights;
 	showed_heights = textures->has_heights();
 	return are_new || are_first;

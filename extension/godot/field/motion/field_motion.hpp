@@ -119,6 +119,10 @@ public:
 	godot::RID beat_texture() const { return textures ? textures->beats() : godot::RID(); }
 	/// Drawn time of the swing clock: 0 to 1, a fraction of SWING_PERIOD.
 	float swing_clock() const { return swings.now(shown_alpha); }
+	/// Position of the drawn frame in the steps of the motion.
+	double shown_steps() const { return shown_at; }
+	/// Length of a step (s).
+	float step_length() const { return simulation ? simulation->settings().step : 0.0f; }
 	/// Mean lean of a species' plants over the last seconds: displacement of their tips from calm air, in heights.
 	float mean_lean(int species) const { return leans.of(species); }
 	/// History of a species' prototypes for the shader: first layer, newest slot, blend. x is -1 if each plant is
@@ -177,6 +181,7 @@ private:
 	std::vector<AirSource> stirring; ///< In the present step.
 	bool showed_heights = false; ///< At the last upload().
 	float shown_alpha = 0.0f; ///< Of the next frame to draw.
+	double shown_at = 0.0; ///< In steps: what upload() passed to the textures.
 	SwingClock swings;
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.

@@ -1,7 +1,10 @@
 #include "field/view/cameras.hpp"
 
 #include <godot_cpp/classes/camera3d.hpp>
+#include <godot_cpp/classes/compositor.hpp>
+#include <godot_cpp/classes/compositor_effect.hpp>
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -22,12 +25,51 @@ struct WorldCamera {
 	DrawingCamera camera;
 };
 
+static bool is_forward_plus() {
+	static const bool is = RenderingServer::get_singleton()->get_current_rendering_method() == "forward_plus";
+	return is;
+}
+
+static bool has_effects_with_vectors(const Ref<Compositor> &compositor) {
+	const TypedArray<CompositorEffect> effects =
+			compositor.is_valid() ? compositor->get_compositor_effects() : TypedArray<CompositorEffect>();
+	for (int64_t i = 0; i < effects.size(); i++) {
+		const Ref<CompositorEffect> effect = effects[i];
+		if (effect.is_valid() && effect->get_enabled() && effect->get_needs_motion_vectors()) {
+			return true;
+		}
+	}
+	return false;
+}
+
+// That of the camera, or else of the world's first WorldEnvironment.
+static Ref<Compositor> compositor_of(const Camera3D *camera) {
+	const Ref<World3D> world = camera->get_world_3d();
+	if (camera->get_compositor().is_valid() || world.is_null()) {
+		return camera->get_compositor();
+	}
+	const String group = "_world_compositor_" + String::num_int64(world->get_scenario().get_id()); // Of the engine.
+	const Node *environment = camera->get_tree()->get_first_node_in_group(group);
+	return environment ? Ref<Compositor>(environment->get("compositor")) : Ref<Compositor>();
+}
+
+// Other renderers write no vectors for multimeshes.
+static bool needs_vectors(const Viewport *viewport, const Camera3D *camera) {
+	if (!is_forward_plus()) {
+		return false;
+	}
+	const Viewport::Scaling3DMode scaling = viewport->get_scaling_3d_mode();
+	return viewport->is_using_taa() || scaling == Viewport::SCALING_3D_MODE_FSR2 ||
+			scaling == Viewport::SCALING_3D_MODE_METALFX_TEMPORAL || has_effects_with_vectors(compositor_of(camera));
+}
+
 // Of cameras with a perspective picture in the middle. Headsets and other projections have no cone.
 static DrawingCamera describe_camera(const Viewport *viewport, const Camera3D *camera) {
 	static constexpr float MARGIN = 0.12f; // rad: more than NearPlants lets a camera turn.
 	const Transform3D placed = camera->get_camera_transform();
 	DrawingCamera into;
 	into.place = camera->get_global_position();
+	into.has_vectors = needs_vectors(viewport, camera);
 	into.forward = -placed.basis.get_column(2).normalized();
 	const Vector2 size = viewport->get_visible_rect().size;
 	if (camera->get_projection() != Camera3D::PROJECTION_PERSPECTIVE ||

@@ -21,6 +21,7 @@ struct DrawingCamera {
 	/// Cosine of the angle between `forward` and the farthest visible direction, plus a margin for turns.
 	float cone_cosine = -1.0f;
 	bool has_cone = false; ///< False: it may see in all directions.
+	bool has_vectors = false; ///< Its picture needs motion vectors, for TAA, FSR 2 or effects.
 };
 
 /// The same at the moment of drawing, after all nodes have processed the frame. All fields share one look-up per frame.

@@ -83,6 +83,7 @@ void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	sent_leans.clear();
+	sent_before = {};
 	make(setup, std::numeric_limits<double>::infinity());
 	for (SpeciesStyle &style : setup.styles) {
 		bind_style(style, motion);
@@ -93,6 +94,7 @@ void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motio
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	sent_leans.clear();
+	sent_before = {};
 	make(setup, std::numeric_limits<double>::infinity());
 	bind_style(setup.styles.back(), motion);
 }
@@ -268,6 +270,21 @@ void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion
 		sent_leans[i] = lean;
 		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
 			server->material_set_param(material->get_rid(), mean_lean, lean);
+		}
+	}
+}
+
+// The materials of shadows stay as they are: no pass of shadows writes vectors.
+void FieldMaterials::send_before(const FieldRenderSetup &setup, const MotionVectors::Sent &before, float step) {
+	if (before == sent_before) {
+		return;
+	}
+	sent_before = before;
+	static const StringName &name = *new StringName("undergrowth_before");
+	const Vector4 value(before.tilt, before.clock, before.steps * std::sqrt(step), before.steps);
+	for (const SpeciesStyle &style : setup.styles) {
+		for (size_t i = 0; i < std::min(style.materials.size(), style.levels.size()); i++) {
+			RenderingServer::get_singleton()->material_set_param(style.materials[i]->get_rid(), name, value);
 		}
 	}
 }

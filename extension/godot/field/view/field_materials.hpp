@@ -3,6 +3,7 @@
 #include "field/motion/field_motion.hpp"
 #include "field/view/cameras.hpp"
 #include "field/view/field_render_setup.hpp"
+#include "field/view/motion_vectors.hpp"
 
 #include <godot_cpp/classes/geometry_instance3d.hpp>
 
@@ -41,6 +42,9 @@ public:
 	/// Sets what instances of prototypes show in this frame.
 	void send_followers(const FieldRenderSetup &setup, const FieldMotion &motion, const godot::Transform3D &axes);
 
+	/// Sets what the previous frame showed. `step`: length of a step (s).
+	void send_before(const FieldRenderSetup &setup, const MotionVectors::Sent &before, float step);
+
 private:
 	const godot::GeometryInstance3D *node;
 	size_t followed_style = 0;
@@ -59,6 +63,7 @@ private:
 	bool is_listed = false; ///< `swinging` is up to date.
 	std::vector<float> sent_leans; ///< By species; empty: none.
 	int frames_since_leans = 0;
+	MotionVectors::Sent sent_before; ///< To the current materials.
 
 	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;
 	void list_swinging(const FieldRenderSetup &setup);

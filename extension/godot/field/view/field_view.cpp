@@ -2,6 +2,7 @@
 
 #include "base/bounded_whole.hpp"
 #include "base/stopwatch.hpp"
+#include "field/view/plant_transforms.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -103,7 +104,7 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	server->multimesh_set_buffer(batch.multimesh, plan.buffer);
 	batch.instance = server->instance_create2(batch.multimesh, world);
 	server->instance_attach_object_instance_id(batch.instance, owner);
-	server->instance_set_transform(batch.instance, placed);
+	server->instance_set_transform(batch.instance, place_of(batch));
 	server->instance_set_visible(batch.instance, false);
 	server->instance_geometry_set_material_override(
 			batch.instance, style.materials[size_t(plan.place.level)]->get_rid());
@@ -251,7 +252,7 @@ void FieldView::set_transform(const Transform3D &transform) {
 	const bool scale_changed = largest != largest_scale;
 	largest_scale = largest;
 	for_each([&](RenderingServer *server, const FieldLevel &level, const Batch &batch) {
-		server->instance_set_transform(batch.instance, placed);
+		server->instance_set_transform(batch.instance, place_of(batch));
 		if (batch.shadow.is_valid()) {
 			server->instance_set_transform(batch.shadow, placed);
 		}
@@ -260,6 +261,47 @@ void FieldView::set_transform(const Transform3D &transform) {
 		}
 	});
 	near.set_transform(placed);
+}
+
+Transform3D FieldView::place_of(const Batch &batch) const {
+	return batch.tilt == 0.0f ? placed : tilted(placed, batch.tilt, batch.roots.get_center().y);
+}
+
+// True if a camera may show the multimesh, as a sphere, at its level.
+bool FieldView::is_seen(const Batch &batch, const FieldLevel &level, const DrawingCamera &camera) const {
+	static constexpr float TALLEST = 4.0f; // m, beside the roots.
+	const Vector3 way = placed.xform(batch.middle) - camera.place;
+	const float away = way.length();
+	const float radius = batch.radius * largest_scale;
+	const bool is_in_range =
+			away > level.begin - level.margin - radius && (level.end <= 0.0f || away < level.end + radius);
+	const float along = way.dot(camera.forward);
+	const float aside = std::sqrt(std::max(away * away - along * along, 0.0f));
+	const float sine = std::sqrt(std::max(1.0f - camera.cone_cosine * camera.cone_cosine, 0.0f));
+	const bool is_in_cone = !camera.has_cone || aside * camera.cone_cosine - along * sine < radius + TALLEST;
+	return is_in_range && is_in_cone;
+}
+
+// Instances that only cast shadows have no vectors.
+void FieldView::set_tilt(float now, const std::vector<DrawingCamera> &cameras) {
+	if (now == tilt && tilt == 0.0f) {
+		return;
+	}
+	tilt = now;
+	for (auto &[place, group] : batches) {
+		for (Batch &batch : group) {
+			const bool is_shown = !batch.near && tilt != 0.0f &&
+					std::any_of(cameras.begin(), cameras.end(), [&](const DrawingCamera &camera) {
+						return camera.has_vectors && is_seen(batch, level_of(place, batch), camera);
+					});
+			const float wanted = is_shown ? tilt : 0.0f;
+			if (wanted != batch.tilt) {
+				batch.tilt = wanted;
+				RenderingServer::get_singleton()->instance_set_transform(batch.instance, place_of(batch));
+			}
+		}
+	}
+	near.set_tilt(tilt);
 }
 
 void FieldView::set_visible(bool visible) {

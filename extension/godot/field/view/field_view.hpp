@@ -70,6 +70,9 @@ public:
 	/// Scenario of the world to draw in, or an invalid RID.
 	void set_scenario(const godot::RID &scenario);
 	void set_transform(const godot::Transform3D &transform);
+	/// Call before a frame is drawn. Tilts the plants that these cameras see by this x of their y axis, in the field's
+	/// axes, and no others: see MotionVectors. It changes instances only if the tilt or what is seen has changed.
+	void set_tilt(float now, const std::vector<DrawingCamera> &cameras);
 	void set_visible(bool visible);
 	void set_flags(const InstanceRenderFlags &flags);
 	/// Call before a frame is drawn: draws of each multimesh only what the nearest camera of `cameras` (world axes)
@@ -110,6 +113,7 @@ private:
 		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants draws them.
 		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
 		bool is_within_shadows = true; ///< So near to a camera that its plants cast shadows.
+		float tilt = 0.0f; ///< As set_tilt() set it.
 		bool is_revealed = false; ///< The renderer has it, even if its materials draw nothing.
 	};
 
@@ -129,6 +133,7 @@ private:
 	std::optional<BatchKey> next_revealed; ///< Next square for reveal_some(). Empty: the first one.
 	godot::RID world; ///< Its scenario.
 	godot::Transform3D placed;
+	float tilt = 0.0f; ///< Of plants in sight.
 	float largest_scale = 1.0f; ///< Of the field's axes.
 	bool is_visible = true;
 	bool has_unflushed = false; ///< Multimeshes were shown since the last drawn frame.
@@ -142,6 +147,8 @@ private:
 
 	void note_change() { is_culled = has_counted = false; }
 	Batch make(const FieldRenderSetup &setup, const BatchPlan &plan) const;
+	godot::Transform3D place_of(const Batch &batch) const;
+	bool is_seen(const Batch &batch, const FieldLevel &level, const DrawingCamera &camera) const;
 	void reveal(Batch &batch);
 	void set_visible(const Batch &batch, bool visible) const;
 	static void set_material(

@@ -1,10 +1,13 @@
 #include "field/view/near_plants.hpp"
 
+#include "field/view/plant_transforms.hpp"
+
 #include <godot_cpp/classes/rendering_server.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace godot;
 
@@ -174,7 +177,7 @@ void NearPlants::apply_flags(const Band &band, const List &list) const {
 	server->instance_set_layer_mask(list.instance, render_flags.layers);
 	server->instance_geometry_set_transparency(list.instance, render_flags.transparency);
 	server->instance_set_scenario(list.instance, world);
-	server->instance_set_transform(list.instance, placed);
+	place(band, list);
 	server->instance_set_visible(list.instance, is_shown(band, list));
 }
 
@@ -333,8 +336,29 @@ void NearPlants::set_transform(const Transform3D &transform) {
 	placed = transform;
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
-			if (list.instance.is_valid()) {
-				RenderingServer::get_singleton()->instance_set_transform(list.instance, placed);
+			place(band, list);
+		}
+	}
+}
+
+// Instances that only cast shadows have no vectors.
+void NearPlants::place(const Band &band, const List &list) const {
+	if (list.instance.is_valid()) {
+		const bool is_tilted = tilt != 0.0f && !band.casts_shadows && !list.slots.empty();
+		const float height = !is_tilted ? 0.0f : list.slots.front().square->root(list.slots.front().plant).y;
+		RenderingServer::get_singleton()->instance_set_transform(
+				list.instance, is_tilted ? tilted(placed, tilt, height) : placed);
+	}
+}
+
+void NearPlants::set_tilt(float now) {
+	if (std::exchange(tilt, now) == now) {
+		return;
+	}
+	for (const Band &band : bands) {
+		for (const List &list : band.lists) {
+			if (!band.casts_shadows && !list.slots.empty()) {
+				place(band, list);
 			}
 		}
 	}

@@ -58,6 +58,8 @@ public:
 
 	void set_scenario(const godot::RID &scenario);
 	void set_transform(const godot::Transform3D &transform);
+	/// As FieldView::set_tilt().
+	void set_tilt(float tilt);
 	void set_visible(bool visible);
 	void apply_flags(const InstanceRenderFlags &flags);
 	void set_owner(uint64_t object) { owner = object; }
@@ -100,12 +102,14 @@ private:
 	bool needs_colors = false;
 	godot::RID world;
 	godot::Transform3D placed;
+	float tilt = 0.0f;
 	bool is_visible = true;
 	InstanceRenderFlags render_flags;
 	uint64_t owner = 0;
 
 	void free_lists();
 	void apply_flags(const Band &band, const List &list) const;
+	void place(const Band &band, const List &list) const;
 	bool is_shown(const Band &band, const List &list) const;
 	bool must_update(const std::vector<DrawingCamera> &cameras) const;
 	void take_out(Band &band, const std::vector<Sight> &sights);

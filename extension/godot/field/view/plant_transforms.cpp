@@ -48,4 +48,12 @@ Transform3D drawn_transform(const PlacedPlant &plant) {
 	return Transform3D(Vector3(c, 0.0f, -s), up, Vector3(s, 0.0f, c), to_godot(plant.root));
 }
 
+Transform3D tilted(const Transform3D &placed, float tilt, float height) {
+	const Vector3 aside = placed.basis.get_column(0) * tilt;
+	Transform3D made = placed;
+	made.basis.set_column(1, placed.basis.get_column(1) + aside);
+	made.origin -= aside * height;
+	return made;
+}
+
 } // namespace undergrowth

@@ -18,4 +18,8 @@ PlacedPlant place_transform(const godot::Transform3D &transform);
 /// Returns the transform from a mesh to the field's axes before bending. It has no lean: the plant's motion adds it.
 godot::Transform3D drawn_transform(const PlacedPlant &plant);
 
+/// Returns the transform of instances whose plants' y axis has this x in the field's axes. Points at `height` (m, field
+/// axes) stay.
+godot::Transform3D tilted(const godot::Transform3D &placed, float tilt, float height);
+
 } // namespace undergrowth
