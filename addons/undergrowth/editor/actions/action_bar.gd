@@ -11,7 +11,7 @@ const Bake := preload("bake.gd")
 const BakeDialog := preload("bake_dialog.gd")
 const BakeOptions := preload("bake_options.gd")
 const FileNames := preload("file_names.gd")
-const Ground := preload("ground.gd")
+const NewPlace := preload("new_place.gd")
 const NewSpeciesDialog := preload("new_species_dialog.gd")
 const ProjectFiles := preload("project_files.gd")
 const SceneActions := preload("scene_actions.gd")
@@ -113,17 +113,24 @@ func _to_scene_function(root: Node) -> PlantFunction:
 
 ## A field of [param file] gets the surroundings that the scene lacks.
 func _add_to_scene(root: Node, plant: Node3D, file: String = "") -> void:
-	var point := Ground.find_point(EditorInterface.get_editor_viewport_3d(0))
+	var place: NewPlace = NewPlace.find(EditorInterface.get_editor_viewport_3d(0), root)
 	var parent := SceneActions.get_parent_for_new(root)
+	var field := plant as PlantField3D
 	var others: Array[Node] = []
-	if plant is PlantField3D and root is Node3D and _surroundings.button_pressed:
-		others = Surroundings.make(root as Node3D, plant as PlantField3D, point, file)
-	SceneActions.add(_undo, root, parent, plant, point, others)
+	if field and root is Node3D and _surroundings.button_pressed:
+		others = Surroundings.make(root as Node3D, field, place.point, file)
+	if field:
+		place.lay(field, parent)
+	SceneActions.add(_undo, root, parent, plant, place.point, others)
 	_select(plant)
 	var names := PackedStringArray([plant.name])
 	for other in others:
 		names.append(other.name)
-	_state.report(tr("Added %s to the scene.") % ", ".join(names))
+	var added := tr("Added %s to the scene.") % ", ".join(names)
+	if field and not place.has_ground and not others.any(Surroundings.is_ground):
+		_warn(added + " " + tr("It is flat: the centre of the 3D view shows no ground."))
+	else:
+		_state.report(added)
 
 
 func _on_assign_pressed() -> void:

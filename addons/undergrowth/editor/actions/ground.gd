@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## Finds the point at the centre of a 3D viewport: on colliders, on meshes, or on the plane y = 0.
+## Finds the ground along a ray: colliders, meshes, or the plane y = 0.
 
 const FARTHEST := 2000.0
 ## Distance in front of a camera whose view is empty.
@@ -8,33 +8,34 @@ const DISTANCE_WITHOUT_GROUND := 4.0
 ## Minimum up part of the normal. On steeper surfaces the search continues with the ground below.
 const MIN_UPRIGHT := 0.4
 const OFF_WALL := 0.05
+## Metres from a mesh within which a collider is its own.
+const SAME_GROUND := 0.2
 ## Margin (m) around the edge of a flat mesh.
 const EDGE := 1e-3
 ## Maximum number of triangles of a searched mesh. A search in a larger one takes too long.
 const MAX_TRIANGLES := 50000
 
 
-## Returns the point for a new node at the centre of [param viewport].
-static func find_point(viewport: Viewport) -> Vector3:
-	var camera := viewport.get_camera_3d()
-	if not camera:
-		return Vector3.ZERO
-	var center := viewport.get_visible_rect().size * 0.5
-	var from := camera.project_ray_origin(center)
-	return find_along(viewport.find_world_3d(), from, camera.project_ray_normal(center))
-
-
-## Returns the same point for a ray of [param world].
+## Returns the ground along a ray of [param world], or its intersection with the plane y = 0.
 static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vector3:
+	var hit := find_hit(world, from, direction)
+	return hit["position"] if hit.has("position") else on_plane(from, direction)
+
+
+## Returns the ground along a ray: its "position" and "normal", the "node" of its mesh, and its
+## "collider" if it has one. At the foot of a wall without ground it is the plane y = 0. Empty:
+## none.
+static func find_hit(world: World3D, from: Vector3, direction: Vector3) -> Dictionary:
 	var hit := _cast(world, from, from + direction * FARTHEST)
 	if hit.is_empty():
-		return _on_plane(from, direction)
+		return {}
 	var normal: Vector3 = hit["normal"]
 	if normal.y >= MIN_UPRIGHT:
-		return hit["position"]
+		return hit
 	var beside: Vector3 = hit["position"] + normal * OFF_WALL
 	var below := _cast(world, beside, beside + Vector3.DOWN * FARTHEST)
-	return below["position"] if not below.is_empty() else _on_plane(beside, Vector3.DOWN)
+	var foot := {"position": on_plane(beside, Vector3.DOWN), "normal": Vector3.UP}
+	return below if not below.is_empty() else foot
 
 
 ## Returns the first hit of a ray of [param world], or its intersection with [param plane], or null.
@@ -45,7 +46,9 @@ static func find_seen(world: World3D, from: Vector3, direction: Vector3, plane: 
 	return plane.intersects_segment(from, from + direction * FARTHEST)
 
 
-static func _on_plane(from: Vector3, direction: Vector3) -> Vector3:
+## Returns the intersection of a ray with the plane y = 0, or a point of it in front of
+## [param from].
+static func on_plane(from: Vector3, direction: Vector3) -> Vector3:
 	var met: Variant = Plane(Vector3.UP, 0.0).intersects_ray(from, direction)
 	if met is Vector3 and from.distance_to(met) <= FARTHEST:
 		return met
@@ -56,13 +59,16 @@ static func _on_plane(from: Vector3, direction: Vector3) -> Vector3:
 ## Returns the nearest hit with its "position" and "normal", or an empty dictionary.
 static func _cast(world: World3D, from: Vector3, to: Vector3) -> Dictionary:
 	var query := PhysicsRayQueryParameters3D.create(from, to)
-	var nearest := world.direct_space_state.intersect_ray(query)
+	var solid := world.direct_space_state.intersect_ray(query)
+	var nearest := solid
 	for id in RenderingServer.instances_cull_ray(from, to, world.scenario):
 		var hit := _cast_on(instance_from_id(id) as Node3D, from, to)
 		if hit.is_empty():
 			continue
 		if nearest.is_empty() or _is_nearer(from, hit["position"], nearest["position"]):
 			nearest = hit
+	if not solid.is_empty() and nearest["position"].distance_to(solid["position"]) < SAME_GROUND:
+		nearest["collider"] = solid["collider"]
 	return nearest
 
 
@@ -81,6 +87,7 @@ static func _cast_on(node: Node3D, from: Vector3, to: Vector3) -> Dictionary:
 			continue
 		if best.is_empty() or _is_nearer(from, hit["position"], best["position"]):
 			best = hit
+			best["node"] = node
 	return best
 
 

@@ -53,6 +53,11 @@ static func has_ground(world: World3D, point: Vector3) -> bool:
 	return hit is Vector3 and (hit as Vector3).y > point.y - REACH
 
 
+## Returns true if [param node] is a ground of [method make].
+static func is_ground(node: Node) -> bool:
+	return node.get_script() == Ground3D
+
+
 static func _make_ground(
 	root: Node3D, field: PlantField3D, point: Vector3, file: String
 ) -> MeshInstance3D:

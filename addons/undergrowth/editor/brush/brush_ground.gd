@@ -19,7 +19,7 @@ static var ray_count := 0
 static func find(field: PlantField3D, from: Vector3, direction: Vector3, plane: Plane) -> Variant:
 	ray_count += 1
 	var terrain := find_object(field)
-	var met: Variant = _find_on(terrain, from, direction) if terrain else null
+	var met: Variant = find_on(terrain, from, direction) if terrain else null
 	return met if met is Vector3 else Ground.find_seen(field.get_world_3d(), from, direction, plane)
 
 
@@ -35,7 +35,8 @@ static func find_object(field: PlantField3D) -> Object:
 	return ground if ground and ground.has_method(&"get_height") else null
 
 
-static func _find_on(terrain: Object, from: Vector3, direction: Vector3) -> Variant:
+## Returns the first point of a ray below the heights of [param terrain], or null.
+static func find_on(terrain: Object, from: Vector3, direction: Vector3) -> Variant:
 	if direction.is_equal_approx(Vector3.DOWN):
 		var over := _height_over(terrain, from)
 		return from + Vector3.DOWN * over if is_finite(over) else null
