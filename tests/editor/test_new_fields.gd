@@ -116,6 +116,38 @@ func test_without_ground_the_message_says_that_the_field_is_flat() -> void:
 	await undo()
 
 
+func test_place_on_ground_moves_a_field_to_the_ground_in_one_step() -> void:
+	await _open_garden()
+	var ramp := MeshInstance3D.new()
+	ramp.mesh = BoxMesh.new()
+	(ramp.mesh as BoxMesh).size = Vector3(20.0, 1.0, 20.0)
+	_add(ramp, Basis(Vector3.RIGHT, 0.3))
+	for height: float in [9.0, -5.0]:
+		var field := PlantField3D.new()
+		field.size = Vector2(4.0, 4.0)
+		field.density = 2.0
+		_root.add_child(field)
+		field.owner = _root
+		field.global_position = AWAY + Vector3.UP * height
+		EditorInterface.edit_node(field)
+		await frames(5)
+		var bar := _find_bar()
+		await click(bar.get_node(^"%Place") as Control)
+		await frames(3)
+		check_equal(field.get_node(field.ground_mesh), ramp, "its mesh")
+		check(absf(field.global_position.y - 3.52) < TOLERANCE, "at %s" % field.global_position)
+		await _check_slope(field, -tan(0.3))
+		await undo()
+		check_equal(field.ground_mode, PlantField3D.GROUND_NONE, "ground mode after undo")
+		check(absf(field.global_position.y - height) < TOLERANCE, "its height after undo")
+		field.free()
+
+
+func _find_bar() -> Control:
+	var bars := EditorInterface.get_base_control().find_children("BrushBar", "", true, false)
+	return bars[0]
+
+
 func _open_garden() -> void:
 	var garden := Node3D.new()
 	garden.name = "Garden"

@@ -1,10 +1,12 @@
 @tool
 extends HBoxContainer
-## The field's tools in the toolbar of the 3D view: the tools of the brush, and a button to rebuild
-## the field.
+## The field's tools in the toolbar of the 3D view: the tools of the brush, and buttons to place the
+## field on the ground and to rebuild it.
 
 ## Emitted when the user requests a rebuild of the field.
 signal fill_wanted
+## Emitted when the user wants the field on the ground.
+signal place_wanted
 
 const BrushOptions := preload("brush_options.gd")
 const Translations := preload("../translations/translations.gd")
@@ -12,11 +14,13 @@ const Translations := preload("../translations/translations.gd")
 ## Icons of the editor, by tool.
 const ICONS: Array[StringName] = [&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick"]
 const FILL_ICON := &"Reload"
+const PLACE_ICON := &"Snap"
 
 var _options: BrushOptions
 
 @onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick]
 @onready var _fill: Button = %Fill
+@onready var _place: Button = %Place
 
 
 ## Shows and changes [param options].
@@ -26,6 +30,7 @@ func setup(options: BrushOptions) -> void:
 	for tool in range(1, _tools.size()):
 		_tools[tool].pressed.connect(_on_tool_pressed.bind(tool))
 	_fill.pressed.connect(fill_wanted.emit)
+	_place.pressed.connect(place_wanted.emit)
 	options.changed.connect(_show)
 	_apply_theme()
 	_show()
@@ -50,3 +55,4 @@ func _apply_theme() -> void:
 	for tool in range(1, _tools.size()):
 		_tools[tool].icon = get_theme_icon(ICONS[tool], &"EditorIcons")
 	_fill.icon = get_theme_icon(FILL_ICON, &"EditorIcons")
+	_place.icon = get_theme_icon(PLACE_ICON, &"EditorIcons")

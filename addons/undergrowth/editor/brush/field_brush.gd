@@ -11,6 +11,7 @@ const BrushOptions := preload("brush_options.gd")
 const BrushSettings := preload("brush_settings.gd")
 const BrushStroke := preload("brush_stroke.gd")
 const BrushPointer := preload("brush_pointer.gd")
+const FieldPlacing := preload("../field/field_placing.gd")
 const PenPressure := preload("pen_pressure.gd")
 
 const BAR_SCENE := "brush_bar.tscn"
@@ -45,6 +46,7 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, _bar)
 	_bar.setup(options)
 	_bar.fill_wanted.connect(_on_fill_wanted)
+	_bar.place_wanted.connect(_on_place_wanted)
 	_bar.hide()
 	_settings = (load(folder.path_join(SETTINGS_SCENE)) as PackedScene).instantiate()
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
@@ -196,6 +198,16 @@ func end_stroke() -> void:
 	stroke.finish(_plugin.get_undo_redo())
 	_choice.refresh()
 	_settings.show_message(message)
+
+
+func _on_place_wanted() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	if not _field or FieldPlacing.place(_plugin.get_undo_redo(), root, _field):
+		return
+	EditorInterface.get_editor_toaster().push_toast(
+		_bar.tr("No collider, mesh or terrain is below or above the centre of the field."),
+		EditorToaster.SEVERITY_WARNING
+	)
 
 
 func _on_fill_wanted() -> void:
