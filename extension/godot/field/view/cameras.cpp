@@ -31,8 +31,10 @@ static bool is_forward_plus() {
 }
 
 static bool has_effects_with_vectors(const Ref<Compositor> &compositor) {
-	const TypedArray<CompositorEffect> effects =
-			compositor.is_valid() ? compositor->get_compositor_effects() : TypedArray<CompositorEffect>();
+	if (compositor.is_null()) {
+		return false;
+	}
+	const Array effects = compositor->get_compositor_effects();
 	for (int64_t i = 0; i < effects.size(); i++) {
 		const Ref<CompositorEffect> effect = effects[i];
 		if (effect.is_valid() && effect->get_enabled() && effect->get_needs_motion_vectors()) {
