@@ -93,6 +93,25 @@ func test_each_of_several_bodies_is_signalled_by_its_own_position() -> void:
 		walker.free()
 
 
+func test_a_body_below_another_of_the_group_is_signalled_alone() -> void:
+	field.wind = null
+	field.bodies_group = &"walkers"
+	await start()
+	var rider := add_walker()
+	var horse := Node3D.new()
+	horse.position = Vector3(0, 0.5, 50)
+	add_shape(horse, CapsuleShape3D.new())
+	horse.add_to_group(&"walkers")
+	root.add_child(horse)
+	rider.reparent(horse)
+	rider.position = Vector3(0, 0, -50)
+	var reported: Array[Node3D] = []
+	field.body_entered_plants.connect(func(body: Node3D) -> void: reported.append(body))
+	await step(30)  # Longer than the shapes of a body are valid.
+	check_equal(reported, [rider] as Array[Node3D], "bodies")
+	horse.free()
+
+
 func test_bodies_push_plants_that_follow_prototypes_for_a_while() -> void:
 	field.prototypes = 8
 	field.wind = null

@@ -54,6 +54,15 @@ class Slope:
 		return place.x
 
 
+## A slope of 45° without normals that ends in the middle of the field.
+class Ledge:
+	extends RefCounted
+	const END := 1.0
+
+	func get_height(place: Vector3) -> float:
+		return place.x if place.x < END else NAN
+
+
 ## Level ground around a round hole.
 class Pond:
 	extends RefCounted
@@ -236,7 +245,18 @@ func test_slope_limits_hold_on_an_object_without_normals() -> void:
 
 
 func test_plants_lean_with_an_object_without_normals() -> void:
-	terrain.data = Slope.new()
+	await _check_leans(Slope.new())
+
+
+func test_plants_at_the_end_of_an_object_without_normals_lean_with_its_slope() -> void:
+	field.density = 20.0
+	await _check_leans(Ledge.new())
+	var last := field.find_plants_in_box(AABB(Vector3(0.8, -9, -9), Vector3(0.2, 18, 18)))
+	check(last.size() > 20, "%d plants at the end" % last.size())
+
+
+func _check_leans(ground: Object) -> void:
+	terrain.data = ground
 	field.species[0].species.law = PlantFunction.LAW_SPRING
 	field.species[0].species.lean = 0.0
 	field.species[0].lean_deviation = 0.0

@@ -92,6 +92,19 @@ func test_a_scene_brings_back_what_was_painted() -> void:
 	check_equal(all_plants(), plants, "its plants")
 
 
+func test_plants_follow_the_data_of_another_map() -> void:
+	map.paint(Vector3(-6, 0, 0), 3.0, TULIP, 1.0, 0.0)
+	field.map = map
+	await start()
+	check(field.get_plant_count() > 50, "%d plants" % field.get_plant_count())
+	var other := PlantMap.new()
+	other.paint(Vector3(6, 0, 0), 3.0, TULIP, 1.0, 0.0)
+	map.data = other.data
+	await rested()
+	check_equal(field.find_plants_in_sphere(Vector3(-6, 0, 0), 4.0).size(), 0, "plants before")
+	check(field.find_plants_in_sphere(Vector3(6, 0, 0), 4.0).size() > 50, "plants now")
+
+
 func test_exclusions_count_on_a_map() -> void:
 	var square: Array[Vector3] = [
 		Vector3(-3, 0, -3), Vector3(3, 0, -3), Vector3(3, 0, 3), Vector3(-3, 0, 3)

@@ -33,6 +33,32 @@ func test_plants_keep_their_length() -> void:
 		check_near(field.get_tip_position(id).distance_to(place.origin), length, 1e-4)
 
 
+## Reads a plant after the field has started its step of the frame.
+class Reader:
+	extends Node
+
+	var field: PlantField3D
+	var id := -1
+	var worst := 0.0  # m, between the tip and the end of its direction.
+
+	func _process(_delta: float) -> void:
+		var state := field.get_motion_state([id])
+		var direction := Vector3(state[0], state[1], state[2])
+		var tip := field.get_tip_position(id) - field.get_plant_transform(id).origin
+		worst = maxf(worst, tip.distance_to(direction * tip.length()))
+
+
+func test_a_state_that_is_read_during_a_step_is_that_after_the_step() -> void:
+	await start()
+	var reader := Reader.new()
+	reader.field = field
+	reader.id = field.get_plant_ids()[0]
+	root.add_child(reader)
+	await step(20)
+	check_near(reader.worst, 0.0, 1e-5, "tip to the end of the direction")
+	reader.free()
+
+
 func test_still_air_leaves_plants_at_rest() -> void:
 	field.wind = null
 	await start()

@@ -41,6 +41,46 @@ func test_what_was_hung_on_a_plant_goes_with_its_skeleton_to_no_other_plant() ->
 	camera.free()
 
 
+func test_mown_plants_have_no_skeleton() -> void:
+	var camera := _watch(GrassFunction.new(), Vector2(6, 6), 10)
+	await start()
+	await frames(30)
+	check_equal(field.get_skeletons().size(), 10, "skeletons of whole plants")
+	check(field.set_height_in_sphere(Vector3.ZERO, 20.0, 0.05) > 100, "all are mown")
+	await frames(30)
+	check_equal(field.get_skeletons().size(), 0, "skeletons of mown plants")
+	camera.free()
+
+
+func test_parts_of_a_turned_plant_swing_as_those_of_another() -> void:
+	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
+	var camera := _watch(species, Vector2(4, 4), 2)
+	field.density = 0.0
+	field.species[0].variants = 1
+	await start()
+	var turn := Basis(Vector3.UP, 0.5 * PI)
+	var places: Array[Transform3D] = [
+		Transform3D(Basis(), Vector3(-1, 0, 0)), Transform3D(turn, Vector3(1, 0, 0))
+	]
+	var ids := field.add_plants(places, species)
+	await frames(20)
+	var push := Vector3(0.05, 0, 0)
+	field.apply_impulse_in_sphere(places[0].origin, 0.1, push)
+	field.apply_impulse_in_sphere(places[1].origin, 0.1, turn * push)
+	await frames(8)
+	var one := field.get_skeleton(ids[0])
+	var other := field.get_skeleton(ids[1])
+	check(one.get_bone_count() > 3, "%d bones" % one.get_bone_count())
+	var bend := 0.0
+	for bone: int in one.get_bone_count():
+		var turned := one.get_bone_pose_rotation(bone)
+		bend = maxf(bend, turned.angle_to(Quaternion.IDENTITY))
+		var away := turned.angle_to(other.get_bone_pose_rotation(bone))
+		check_near(away, 0.0, 2e-3, "turn of bone %d" % bone)
+	check(bend > 0.02, "largest turn of a bone: %f rad" % bend)
+	camera.free()
+
+
 func test_a_bent_plant_that_is_a_skeleton_has_room_for_its_tip_where_it_is_culled() -> void:
 	var species := GrassFunction.new()
 	species.law = PlantFunction.LAW_SPRING

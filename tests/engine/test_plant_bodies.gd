@@ -25,6 +25,19 @@ func test_a_ball_holds_the_tip_at_its_surface_and_the_tip_is_a_sphere() -> void:
 			ball.free()
 
 
+func test_a_fast_body_pushes_from_its_place_in_the_same_frame() -> void:
+	var plant := add_plant(make_species(PlantFunction.LAW_SPRING, 0.0))
+	var ball := add_ball(Vector3(-0.8, 1.2, 0), RADIUS)
+	await frames(2)
+	var nearest := 1.0
+	for i in 16:
+		ball.position.x += 0.05
+		await process_frame
+		nearest = minf(nearest, tip_of(plant).distance_to(ball.position))
+	check_near(nearest, RADIUS, CLEAR, "tip to ball")
+	check(tip_of(plant).x > 0.2, "it is pushed along: %s" % tip_of(plant))
+
+
 func test_plants_that_are_moved_scaled_or_turned_are_pushed_in_the_world() -> void:
 	var spring := make_species(PlantFunction.LAW_SPRING)
 	var elastic := make_species(PlantFunction.LAW_ELASTICITY)

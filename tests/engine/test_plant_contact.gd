@@ -125,6 +125,19 @@ func test_plants_without_contact_or_simulation_touch_nothing() -> void:
 		_free(pair)
 
 
+func test_a_plant_that_stops_simulating_is_no_longer_touched() -> void:
+	var species := make_species(SPRING, RADIUS)
+	var pair := _add_pair(species, species)
+	await frames(2)
+	pair[1].simulation_enabled = false
+	pair[0].apply_impulse(Vector3(2.0 * species.mass, 0, 0))
+	var nearest := 1.0
+	for i in 60:
+		await process_frame
+		nearest = minf(nearest, _distance(pair))
+	check(nearest < RADIUS, "the other passes through it: %f m" % nearest)
+
+
 func test_plants_of_other_worlds_and_of_fields_are_not_touched() -> void:
 	var species := make_species(SPRING, RADIUS)
 	var plant := _add_touching(species, Transform3D())

@@ -129,6 +129,22 @@ func test_a_plant_stops_simulating_when_it_is_disabled() -> void:
 	check(_plant.get_tip_position() != tip, "it moves")
 
 
+func test_plants_show_their_own_motion_after_another_has_stopped() -> void:
+	_plant.wind = null
+	var still := _add_plant(_plant.species)
+	var pushed := _add_plant(_plant.species)
+	var skeletons: Array[Skeleton3D] = [still.get_skeleton(), pushed.get_skeleton()]
+	await frames(2)
+	_plant.simulation_enabled = false
+	pushed.apply_impulse(2.0 * _plant.species.mass * Vector3.RIGHT)
+	await _pass(0.1)
+	var shown: Array[float] = []
+	for skeleton in skeletons:
+		shown.append((skeleton.get_bone_pose_rotation(1) * Vector3.UP).angle_to(Vector3.UP))
+	check_near(shown[0], 0.0, 1e-3, "bend that the still one shows")
+	check(shown[1] > 0.02, "the pushed one shows a bend of %f rad" % shown[1])
+
+
 func test_time_scale_zero_stops_time() -> void:
 	await _pass(0.2)
 	Engine.time_scale = 0.0

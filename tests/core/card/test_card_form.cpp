@@ -140,8 +140,17 @@ TEST_CASE("heads grow where their carriers are not drawn") {
 		return glm::length(strips.front().rows.front().right - strips.front().rows.front().left);
 	};
 	const float before = radius(plan);
-	plan.fates[static_cast<size_t>(plant.cards.places.back().carrier)] = FormPlan::dropped;
-	CHECK(radius(plan) == doctest::Approx(before * std::sqrt(3.0f / 2.0f)).epsilon(0.1));
+	const int dropped = plant.cards.places.back().carrier;
+	plan.fates[static_cast<size_t>(dropped)] = FormPlan::dropped;
+	float all = 0.0f;
+	float drawn = 0.0f;
+	for (const CardPlace &place : plant.cards.places) {
+		const float area = place.extent.half * place.extent.half;
+		all += area;
+		drawn += place.carrier == dropped ? 0.0f : area;
+	}
+	CHECK(all / drawn == doctest::Approx(3.0f / 2.0f).epsilon(0.1));
+	CHECK(radius(plan) == doctest::Approx(before * std::sqrt(all / drawn)));
 }
 
 TEST_CASE("flat cards are clockwise from the side of their normals") {

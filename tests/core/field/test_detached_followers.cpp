@@ -79,6 +79,16 @@ TEST_CASE("a pushed plant returns slowly at both ends, and only after it has swu
 	CHECK(shares.back() == 1.0f);
 }
 
+TEST_CASE("a plant that is held does not return") {
+	DetachedFollowers some(0, species_of(Law::spring), FIELD_STEP);
+	some.reserve(1);
+	REQUIRE(some.add(chance_plant(1), 0, 0, { { { 0.0f, 1.0f, 0.0f }, {} }, {} }, {}) == 0);
+	for (int i = 0; i < RUNG_DOWN; i++) {
+		REQUIRE(some.grow_older(0, {}) == 0.0f);
+		some.hold(0);
+	}
+}
+
 TEST_CASE("a body pushes followers, which swing out and follow again without a jump") {
 	for (const Law law : { Law::elasticity, Law::spring }) {
 		FieldSimulation field = following_field(law);
@@ -191,6 +201,17 @@ TEST_CASE("dropped plants do not affect loose plants") {
 		REQUIRE(pointed_at == detached.count());
 	}
 	CHECK(field.detached_followers(0)->count() == 25);
+}
+
+TEST_CASE("a page changes if one of its plants gets the row of a dropped loose plant of another page") {
+	FieldSimulation field = following_field(Law::spring, MotionPage::PAGE_PLANTS + 10);
+	REQUIRE(field.page_count() == 2);
+	field.apply_impulse(0, 3, { 0.4f, 0.0f, 0.0f });
+	field.apply_impulse(1, 5, { 0.4f, 0.0f, 0.0f });
+	field.forget_changed_pages();
+	field.drop(0, 3);
+	CHECK(field.follower(1, 5).detached == 1);
+	CHECK(field.changed_pages() == std::vector<int>{ 0, 1 });
 }
 
 TEST_CASE("a pushed follower of a leaning species swings about its rest direction") {

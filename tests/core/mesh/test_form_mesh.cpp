@@ -263,6 +263,8 @@ TEST_CASE("a stretched mesh is the grown one, moved up, with correct normals") {
 		CHECK(std::abs(tall.positions[i].y - 1.5f * grown.positions[i].y) < 1e-6f);
 		CHECK(tall.positions[i].x == grown.positions[i].x);
 		CHECK(tall.custom0[i] == grown.custom0[i]);
+		CHECK(std::abs(tall.custom1[i].y - 1.5f * grown.custom1[i].y) < 1e-6f); // Pivots.
+		CHECK(std::abs(tall.custom2[i].y - 1.5f * grown.custom2[i].y) < 1e-6f); // Offsets from the midrib.
 	}
 	check_sound(tall);
 }

@@ -22,15 +22,16 @@ glm::vec3 noise_of(uint64_t stream, int index) {
 	return { signed_noise(stream, number), signed_noise(stream + 1, number), signed_noise(stream + 2, number) };
 }
 
-/// Stems of two modes that lean and swing, far from the origin.
-MotionPage bent_stems(const glm::vec3 &middle) {
+/// Stems of two modes that lean and swing, far from the origin. Their roots are turned by `turn`, their directions are
+/// not.
+MotionPage bent_stems(const glm::vec3 &middle, const glm::mat3 &turn = glm::mat3(1.0f)) {
 	MotionSpecies species = species_of(Law::stem);
 	species.stem = stem_of_two_modes(1.5, 0.1);
 	std::vector<MotionPlant> plants;
 	for (int i = 0; i < PLANTS; i++) {
 		const glm::vec3 noise = noise_of(10, i);
 		MotionPlant plant;
-		plant.root = middle + SIDE * 0.5f * glm::vec3(noise.x, 0.05f * noise.y, noise.z);
+		plant.root = turn * (middle + SIDE * 0.5f * glm::vec3(noise.x, 0.05f * noise.y, noise.z));
 		plant.length = 0.7f + 0.4f * noise.y;
 		plant.rest = glm::normalize(glm::vec3(0.3f * noise.z, 1.0f, 0.3f * noise.x));
 		plants.push_back(plant);
@@ -124,6 +125,36 @@ TEST_CASE("a page pushes its stems as single stems are pushed, to the bit") {
 			CHECK(page.stem(i).rate[1] == alone.stem(i).rate[1]);
 		}
 	}
+}
+
+TEST_CASE("stems of turned axes with moving roots are pushed as stems of the body's axes, to the bit") {
+	const glm::mat3 wall = { { 0.0f, -1.0f, 0.0f }, { 1.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 1.0f } };
+	std::vector<glm::vec3> velocities, turned_velocities;
+	for (int i = 0; i < PLANTS; i++) {
+		velocities.push_back(0.4f * noise_of(50, i));
+		turned_velocities.push_back(wall * velocities.back());
+	}
+	int touched = 0;
+	for (int b = 0; b < BODIES; b++) {
+		MotionPage upright = bent_stems(glm::vec3(0.0f));
+		MotionPage turned = bent_stems(glm::vec3(0.0f), wall);
+		const MovingBody body = body_near(glm::vec3(0.0f), b);
+		MovingBody turned_body = body;
+		for (glm::vec3 MovingBody::*vector : { &MovingBody::from, &MovingBody::to, &MovingBody::velocity,
+					 &MovingBody::half_width, &MovingBody::half_depth }) {
+			turned_body.*vector = wall * (body.*vector);
+		}
+		const int pushed = push_plants(upright, body, { nullptr, velocities.data() });
+		CHECK(push_plants(turned, turned_body, { &wall, turned_velocities.data() }) == pushed);
+		touched += pushed;
+		for (int i = 0; i < PLANTS; i++) {
+			for (int k = 0; k < 2; k++) {
+				REQUIRE(turned.stem(i).place[k] == upright.stem(i).place[k]);
+				REQUIRE(turned.stem(i).rate[k] == upright.stem(i).rate[k]);
+			}
+		}
+	}
+	CHECK(touched > 100);
 }
 
 TEST_CASE("the boxes of blocks hold their plants after plants were moved, removed and added") {

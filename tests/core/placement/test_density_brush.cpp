@@ -107,6 +107,11 @@ TEST_CASE("smoothing makes neighbours equal and preserves the total") {
 	CHECK(edge == 255);
 	CHECK(map.cell(layer, 3, 0).density - map.cell(layer, 4, 0).density < edge / 3);
 	CHECK(painted_area(map, layer) == doctest::Approx(before).epsilon(0.02));
+	for (int i = 0; i < 6; i++) { // The same to all sides.
+		CHECK(map.cell(layer, 0, i).density == map.cell(layer, i, 0).density);
+		CHECK(map.cell(layer, 0, -1 - i).density == map.cell(layer, 0, i).density);
+		CHECK(map.cell(layer, -1 - i, 0).density == map.cell(layer, i, 0).density);
+	}
 }
 
 TEST_CASE("a polygon fills the cells with centres in it") {

@@ -143,6 +143,18 @@ TEST_CASE("a plant that becomes higher preserves its id, and its motion is trans
 	}
 }
 
+TEST_CASE("a plant that becomes larger is replaced and preserves its id") {
+	Painted field;
+	field.request.species[0].min_scale = field.request.species[0].max_scale = 2.0f;
+	const std::size_t count = field.plants().size();
+	const ChangeSet changes = field.update(field.map.cells_around({ { -4.0f, 5.0f }, { 4.0f, 13.0f } }));
+	CHECK(changes.moved.size() > 50);
+	for (const ChangeSet::Moved &plant : changes.moved) {
+		CHECK(field.store.chunk(plant.to.chunk).plants.plant(plant.to.slot).scale == 2.0f);
+	}
+	CHECK(field.plants().size() == count);
+}
+
 TEST_CASE("the ground's limits reject late plants and remove changed ones") {
 	Painted field;
 	const DensityStroke higher = { DensityStroke::Does::set_height, 2.0f, 1.0f };

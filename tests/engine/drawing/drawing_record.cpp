@@ -26,6 +26,7 @@ Array DrawingRecord::get_instances() {
 		std::copy(multimesh.buffer.begin(), multimesh.buffer.end(), buffer.ptrw());
 		Dictionary one;
 		one["visible"] = instance.is_visible;
+		one["scenario"] = int64_t(instance.scenario);
 		one["begin"] = instance.begin;
 		one["end"] = instance.end;
 		one["box"] = multimesh.box;

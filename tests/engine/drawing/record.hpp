@@ -19,6 +19,7 @@ struct Multimesh {
 
 struct Instance {
 	uint64_t multimesh = 0; ///< A RID, as all keys below.
+	uint64_t scenario = 0; ///< A RID.
 	bool is_visible = true;
 	double begin = 0.0; ///< m, of the visibility range.
 	double end = 0.0; ///< m; 0: without end.

@@ -73,7 +73,9 @@ void note_shown(Arguments arguments, GDExtensionTypePtr) {
 void note_instance(Arguments arguments, GDExtensionTypePtr result) {
 	const std::lock_guard<std::mutex> lock(record().mutex);
 	if (record().multimeshes.count(rid_of(arguments[0])) > 0) {
-		record().instances[rid_of(result)].multimesh = rid_of(arguments[0]);
+		Instance &made = record().instances[rid_of(result)];
+		made.multimesh = rid_of(arguments[0]);
+		made.scenario = rid_of(arguments[1]);
 	}
 }
 
@@ -89,6 +91,10 @@ void note_visible(Arguments arguments, GDExtensionTypePtr) {
 	change_instance(arguments, [=](Instance &instance) { //
 		instance.is_visible = argument<GDExtensionBool>(arguments, 1) != 0;
 	});
+}
+
+void note_scenario(Arguments arguments, GDExtensionTypePtr) {
+	change_instance(arguments, [=](Instance &instance) { instance.scenario = rid_of(arguments[1]); });
 }
 
 void note_range(Arguments arguments, GDExtensionTypePtr) {
@@ -147,6 +153,7 @@ Recorded all_recorded[] = {
 	{ "multimesh_set_visible_instances", note_shown },
 	{ "instance_create2", note_instance },
 	{ "instance_set_visible", note_visible },
+	{ "instance_set_scenario", note_scenario },
 	{ "instance_geometry_set_visibility_range", note_range },
 	{ "texture_2d_create", note_texture },
 	{ "texture_2d_layered_create", note_layers },

@@ -36,6 +36,17 @@ func test_mown_plants_are_drawn_as_high_as_they_are() -> void:
 	_check_heights(0)
 
 
+func test_plants_mown_after_others_have_regrown_are_drawn_as_high_as_they_are() -> void:
+	await _start_streamed()
+	field.regrowth_rate = 0.5
+	var first := field.set_height_in_sphere(Vector3(-8, 0, 0), 6.0, 0.1)
+	await frames(30)
+	field.regrowth_rate = 0.0
+	var second := field.set_height_in_sphere(Vector3(9, 0, 5), 6.0, 0.1)
+	await frames(3)
+	_check_heights(first + second)
+
+
 func test_plants_that_come_are_drawn_whole_where_mown_ones_went() -> void:
 	await _start_streamed()
 	check(field.set_height_in_sphere(Vector3.ZERO, 60.0, 0.1) > 2000, "all are mown")
@@ -52,6 +63,15 @@ func test_plants_that_come_are_drawn_whole_where_mown_ones_went() -> void:
 
 
 func test_removed_plants_are_hidden() -> void:
+	await _check_removed()
+
+
+func test_removed_plants_of_a_field_without_simulation_are_hidden() -> void:
+	field.simulation_enabled = false
+	await _check_removed()
+
+
+func _check_removed() -> void:
 	field.view_distance = 0.0
 	field.size = Vector2(20, 20)
 	await start()

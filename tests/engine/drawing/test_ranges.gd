@@ -35,6 +35,28 @@ func test_ranges_follow_levels_that_change() -> void:
 	_check_ranges()
 
 
+func test_plants_and_their_shadows_go_to_another_world_with_the_field() -> void:
+	field.free()
+	field = PlantField3D.from_species([load("res://addons/undergrowth/species/meadow_grass.tres")])
+	field.size = Vector2(12, 12)
+	field.density = 4.0
+	await start()
+	var viewport := SubViewport.new()
+	viewport.own_world_3d = true
+	root.add_child(viewport)
+	field.reparent(viewport)
+	await frames(2)
+	var own := viewport.find_world_3d().scenario.get_id()
+	var outside := 0
+	var instances := DrawingRecord.get_instances()
+	for instance: Dictionary in instances:
+		outside += 0 if instance["scenario"] == own else 1
+	check(instances.size() > 1, "%d instances" % instances.size())
+	check_equal(outside, 0, "instances in the world before")
+	field.reparent(root)
+	viewport.free()
+
+
 func test_boxes_hold_plants_that_are_bent_to_any_side() -> void:
 	await start()
 	for instance in drawn_instances():

@@ -46,6 +46,27 @@ func test_plants_of_tiles_that_are_built_again_lean() -> void:
 	_check_leans()
 
 
+func test_the_last_step_is_drawn_when_the_simulation_ends() -> void:
+	field.size = Vector2(10, 10)
+	field.simulation_enabled = true
+	field.wind = PlantWind.new()
+	await start()
+	await frames(30)
+	field.simulation_enabled = false
+	await frames(2)
+	var layers := poses()
+	var worst := 0.0
+	for plant: DrawnPlant in drawn_plants().values():
+		var id := field.find_nearest_plant(field.to_global(plant.root), 0.01)
+		var state := field.get_motion_state([id])
+		var bend := Vector2(state[0], state[2]) / (1.0 + state[1])
+		var drawn := Vector2(
+			half(layers, plant.layer, plant.texel, 2), half(layers, plant.layer, plant.texel, 3)
+		)
+		worst = maxf(worst, drawn.distance_to(bend))
+	check_near(worst, 0.0, 1e-3, "bend that is drawn, from that after the last step")
+
+
 func _streamed() -> void:
 	await frames(20)
 	while field.is_building() or field.get_statistics()["tiles_waiting"] > 0:
