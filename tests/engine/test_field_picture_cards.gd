@@ -22,6 +22,9 @@ const HEAD_ANGLES: Array[float] = [0.17, 0.44, 0.58, 0.72, 0.87, 1.12]
 const HEAD_PLANTS := 8
 const HEAD_DISTANCE := 2.0
 const FEW := 5  # Segments: with so few, plants drop some leaves.
+const COARSE := 100  # Pixels: stems are thinner than one at 6 m.
+const MIN_STEM := 15
+const MAX_BLUE := 0.7  # Of the green of a stem.
 const FINE := 600  # Pixels: thin stems are wider than one, and are not widened.
 const THINNED := 7.5  # m: beyond this distance fewer plants are drawn, which are wider.
 const LOW := 0.3  # Angles of the camera above the plant, rad.
@@ -85,6 +88,24 @@ func test_heads_cover_as_much_from_all_heights() -> void:
 		var mean := sum / shares.size()
 		check(absf(mean - 1.0) < 0.12, "%s: %.3f of the heads" % [name, mean])
 		_field.free()
+
+
+## Far stems are widened to a pixel. They do not take the colour of their flowers.
+func test_thin_stems_stay_green() -> void:
+	stage.size = Vector2i(COARSE, COARSE)
+	await _sow("bellflower")
+	_look(6.0, LOW, 0.0)
+	var shown := await picture()
+	var green := 0
+	var blue := 0
+	for y in range(COARSE / 2, 3 * COARSE / 4):
+		for x in COARSE:
+			var pixel := shown.get_pixel(x, y)
+			green += 1 if pixel.a > 0.5 and pixel.b < MAX_BLUE * pixel.g else 0
+			blue += 1 if pixel.a > 0.5 and pixel.b >= MAX_BLUE * pixel.g else 0
+	check(green >= MIN_STEM, "%d pixels of the stem are green" % green)
+	check(blue <= green / 4, "%d of %d are blue" % [blue, green + blue])
+	_field.free()
 
 
 func test_cards_turn_to_the_camera() -> void:
