@@ -15,6 +15,7 @@ namespace {
 // Largest factors of the width of a flat part, times the number of parts in place of which it is drawn, and at all.
 constexpr float MAX_OF_PART = 1.8f;
 constexpr float MAX_OF_SHEET = 5.0f;
+constexpr int MIN_LIMITED = 60; // Vertices: coarser plants show their mean colour instead of single leaves.
 constexpr float MAX_TAKEN = 0.15f; // Of the area of the largest group, which it takes from others.
 constexpr float MAX_STOUTNESS = 0.65f; // Silhouette of a spindle over its squared length: half of width over length.
 
@@ -124,9 +125,9 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 		}
 		const int drawn = static_cast<int>(units.size() - first_unit);
 		if (drawn > 0) {
-			const bool is_sheet = part.kind == PartKind::blade;
+			const bool is_limited = part.kind == PartKind::blade && plan.counts.vertices >= MIN_LIMITED;
 			const float thinned = static_cast<float>(group.count) / static_cast<float>(drawn);
-			const float max = is_sheet ? std::min(MAX_OF_PART * thinned, MAX_OF_SHEET) : FormWriter::MAX_WIDENING;
+			const float max = is_limited ? std::min(MAX_OF_PART * thinned, MAX_OF_SHEET) : FormWriter::MAX_WIDENING;
 			written.push_back({ begin, writer.mark(), first_unit, near, plan.shown[g], max });
 		}
 	}
