@@ -23,6 +23,25 @@ const LOWEST_LAYER := {
 }
 const MAX_LOWEST_DEVIATIONS: Dictionary = {3: [0.05, 0.1], 2: [0.25, 0.3], 1: [0.55, 0.7]}
 
+## Largest triangle from above (m²) at 5 segments.
+const MAX_PLATES := {"lawn_grass": 6e-4, "cattail": 150e-4, "barley": 20e-4}
+
+
+## Twisted leaves on the ground have no area from the side when they are drawn flat.
+func test_dead_leaves_do_not_become_plates() -> void:
+	for name: String in MAX_PLATES:
+		var species: PlantFunction = load(FOLDER.path_join(name + ".tres"))
+		var largest := 0.0
+		for seed in [1, 2, 3]:
+			var arrays := species.generate_mesh(0.0, 5, seed).surface_get_arrays(0)
+			var points: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+			var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
+			for i in range(0, indices.size(), 3):
+				var one := points[indices[i + 1]] - points[indices[i]]
+				var other := points[indices[i + 2]] - points[indices[i]]
+				largest = maxf(largest, 0.5 * absf(one.cross(other).y))
+		check(largest < MAX_PLATES[name], "%s: %.1f cm²" % [name, 1e4 * largest])
+
 
 func test_levels_cover_as_much_as_the_plant_from_every_side() -> void:
 	for file in DirAccess.get_files_at(FOLDER):

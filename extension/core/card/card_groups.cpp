@@ -152,7 +152,7 @@ void measure_extents(const PlantForm &form, const std::vector<CardGroup> &groups
 	std::vector<CardAxis> axes;
 	for (CardPlace &place : all.places) {
 		axes.emplace_back(form, place.carrier, place.from);
-		place.extent = { 1e9f, -1e9f, 0.0f };
+		place.extent = { 1e9f, -1e9f };
 	}
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const size_t owner = static_cast<size_t>(all.owners[i]);
@@ -164,7 +164,11 @@ void measure_extents(const PlantForm &form, const std::vector<CardGroup> &groups
 			const float away = is_head ? flat.depth : 0.0f;
 			extent.low = std::min(extent.low, flat.along);
 			extent.high = std::max(extent.high, flat.along);
-			extent.half = std::max(extent.half, std::sqrt(flat.across * flat.across + away * away));
+			const float distance = std::sqrt(flat.across * flat.across + away * away);
+			const Part &part = form.parts[static_cast<size_t>(form.placed[i].kind)];
+			const float width = form.placed[i].width * part.width_at(offset);
+			extent.half = std::max(extent.half, distance);
+			extent.reach = std::max(extent.reach, distance + 0.5f * width);
 		}
 	}
 }

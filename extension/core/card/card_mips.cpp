@@ -5,15 +5,19 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace undergrowth {
 
 namespace {
 
 constexpr float THRESHOLD = 0.5f; // Of the alpha in materials.
-constexpr int BINS = 1024; // Of alphas.
+constexpr int BINS = 256; // Of alphas.
 constexpr int FINER = 3; // Points along a texel at which its coverage is measured.
+constexpr int CELL = 8; // Texels. Thresholds are measured in squares of two cells.
+constexpr float INEXACT = 0.04f; // Of the covered area.
 constexpr float MIN_MEAN = 0.02f; // Linear light.
 constexpr float DARKEST = 0.45f; // Occlusion.
 constexpr float SHADE = 1.2f; // Occlusion per depth, in half-widths of the card.
@@ -100,10 +104,10 @@ Mip halved(const Mip &fine) {
 	return mip;
 }
 
-/// Returns the factor of alphas with which the threshold cuts out this share of the picture, as the engine interpolates
-/// it.
-float alpha_scale(const Mip &mip, float share) {
-	std::vector<int> bins(BINS + 1, 0);
+/// Coverage as the engine interpolates it, at FINER² points of each texel, row by row. As bins.
+std::vector<uint16_t> interpolate(const Mip &mip) {
+	std::vector<uint16_t> points;
+	points.reserve(FINER * FINER * mip.size());
 	for (int y = 0; y < FINER * mip.height; y++) {
 		for (int x = 0; x < FINER * mip.width; x++) {
 			const float place_x = (static_cast<float>(x) + 0.5f) / FINER - 0.5f;
@@ -116,16 +120,104 @@ float alpha_scale(const Mip &mip, float share) {
 					mip.coverage[mip.at(left, upper)] * (1.0f - t) + mip.coverage[mip.at(left + 1, upper)] * t;
 			const float other =
 					mip.coverage[mip.at(left, upper + 1)] * (1.0f - t) + mip.coverage[mip.at(left + 1, upper + 1)] * t;
-			bins[static_cast<size_t>((one * (1.0f - s) + other * s) * BINS)]++;
+			points.push_back(static_cast<uint16_t>((one * (1.0f - s) + other * s) * BINS));
 		}
 	}
-	const int wanted = static_cast<int>(share * static_cast<float>(FINER * FINER) * static_cast<float>(mip.size()));
-	int sum = 0;
-	int bin = BINS;
-	while (bin > 1 && sum + bins[static_cast<size_t>(bin)] <= wanted) {
-		sum += bins[static_cast<size_t>(bin--)];
+	return points;
+}
+
+/// Numbers of points by bin.
+using Histogram = std::array<int, BINS + 1>;
+
+/// Returns the threshold that cuts out this number of points: of all such thresholds the one nearest to `usual`.
+float threshold_for(const Histogram &bins, float wanted, float usual) {
+	const int most = static_cast<int>(wanted * (1.0f + INEXACT));
+	const int least = static_cast<int>(wanted * (1.0f - INEXACT));
+	int sum = 0, low = BINS, high = BINS;
+	for (int bin = BINS; bin > 0 && sum + bins[static_cast<size_t>(bin)] <= most; bin--) {
+		sum += bins[static_cast<size_t>(bin)];
+		low = bin - 1;
+		high = sum <= least ? low : high;
 	}
-	return THRESHOLD * BINS / (static_cast<float>(bin) + 0.5f);
+	const float finest = 0.5f / BINS;
+	return std::clamp(usual, static_cast<float>(low) / BINS + finest, static_cast<float>(high) / BINS + finest);
+}
+
+/// Thresholds that cut out as much of each part of a picture as it covers. With a single threshold, dense parts would
+/// close and sparse ones vanish.
+class Thresholds {
+public:
+	explicit Thresholds(const Mip &p_mip) :
+			mip(p_mip), columns((mip.width + CELL - 1) / CELL), rows((mip.height + CELL - 1) / CELL) {
+		std::vector<Histogram> cells(static_cast<size_t>(columns * rows), Histogram{});
+		std::vector<float> wanted(cells.size(), 0.0f);
+		const std::vector<uint16_t> points = interpolate(mip);
+		for (int y = 0; y < FINER * mip.height; y++) {
+			for (int x = 0; x < FINER * mip.width; x++) {
+				const size_t cell = cell_at(x / (FINER * CELL), y / (FINER * CELL));
+				cells[cell][points[static_cast<size_t>(y * FINER * mip.width + x)]]++;
+				wanted[cell] += mip.coverage[mip.at(x / FINER, y / FINER)];
+			}
+		}
+		for (int row = 0; row <= rows; row++) {
+			for (int column = 0; column <= columns; column++) {
+				Histogram sum = {};
+				float all = 0.0f;
+				for (int i = 0; i < 4; i++) {
+					const int x = column - i % 2;
+					const int y = row - i / 2;
+					if (x >= 0 && x < columns && y >= 0 && y < rows) {
+						const Histogram &own = cells[cell_at(x, y)];
+						std::transform(own.begin(), own.end(), sum.begin(), sum.begin(), std::plus<int>());
+						all += wanted[cell_at(x, y)];
+					}
+				}
+				at_corners.push_back(threshold_for(sum, all, THRESHOLD));
+			}
+		}
+	}
+
+	/// Interpolated between the corners of cells.
+	float at(int x, int y) const {
+		const float place_x = (static_cast<float>(x) + 0.5f) / CELL;
+		const float place_y = (static_cast<float>(y) + 0.5f) / CELL;
+		const int column = static_cast<int>(place_x);
+		const int row = static_cast<int>(place_y);
+		const float t = place_x - static_cast<float>(column);
+		const float s = place_y - static_cast<float>(row);
+		const float one = corner(column, row) * (1.0f - t) + corner(column + 1, row) * t;
+		const float other = corner(column, row + 1) * (1.0f - t) + corner(column + 1, row + 1) * t;
+		return one * (1.0f - s) + other * s;
+	}
+
+private:
+	const Mip &mip;
+	const int columns;
+	const int rows;
+	std::vector<float> at_corners;
+
+	size_t cell_at(int x, int y) const { return static_cast<size_t>(y * columns + x); }
+	float corner(int column, int row) const { return at_corners[static_cast<size_t>(row * (columns + 1) + column)]; }
+};
+
+/// Replaces coverages by alphas of which THRESHOLD cuts out as much.
+void write_alphas(Mip &mip, float share) {
+	const Thresholds thresholds(mip);
+	for (int y = 0; y < mip.height; y++) {
+		for (int x = 0; x < mip.width; x++) {
+			float &own = mip.coverage[mip.at(x, y)];
+			own = std::min(own * THRESHOLD / thresholds.at(x, y), 1.0f);
+		}
+	}
+	Histogram bins = {};
+	for (const uint16_t point : interpolate(mip)) {
+		bins[point]++;
+	}
+	const float wanted = share * static_cast<float>(FINER * FINER) * static_cast<float>(mip.size());
+	const float scale = THRESHOLD / threshold_for(bins, wanted, THRESHOLD);
+	for (float &own : mip.coverage) {
+		own *= scale;
+	}
 }
 
 uint8_t byte_of(float value) {
@@ -164,19 +256,15 @@ std::vector<Mip> mips_of(const CardPicture &picture) {
 /// `mean`: linear light that the colours are relative to.
 void write_layer(std::vector<Mip> &mips, const glm::vec3 &mean, CardLayer &layer) {
 	const float share = mips.back().coverage[0];
-	std::vector<float> scales;
-	for (const Mip &mip : mips) {
-		scales.push_back(alpha_scale(mip, share));
-	}
 	fill_holes(mips);
-	for (size_t level = 0; level < mips.size(); level++) {
-		const Mip &mip = mips[level];
+	for (Mip &mip : mips) {
+		write_alphas(mip, share);
 		for (size_t i = 0; i < mip.size(); i++) {
 			const glm::vec3 light = mip.light[i] / glm::max(mean, glm::vec3(MIN_MEAN));
 			for (int k = 0; k < 3; k++) {
 				layer.colors.push_back(byte_of(0.5f * std::sqrt(std::max(light[k], 0.0f))));
 			}
-			layer.colors.push_back(byte_of(mip.coverage[i] * scales[level]));
+			layer.colors.push_back(byte_of(mip.coverage[i]));
 			const glm::vec4 &surface = mip.surface[i];
 			layer.surfaces.push_back(byte_of(0.5f + 0.5f * surface.x));
 			layer.surfaces.push_back(byte_of(0.5f + 0.5f * surface.y));

@@ -19,6 +19,7 @@ namespace {
 constexpr int SAMPLES = 6; // Along each side of a texel.
 constexpr int SHADE_CELLS = 24; // Along both directions across the axis.
 constexpr float MAX_SHADE = 0.45f;
+constexpr float MIN_RISE = 0.1f; // Of parts above those that they shade, over the radius of the head.
 constexpr float MIN_SIZE = 1e-6f; // m.
 
 struct Corner {
@@ -119,15 +120,17 @@ public:
 		const auto place = [&](float value) {
 			return static_cast<size_t>(std::clamp(static_cast<int>((value + reach) / cell), 0, SHADE_CELLS - 1));
 		};
+		const auto cell_of = [&](const Corner &middle) { return place(middle.depth) * SHADE_CELLS + place(middle.x); };
+		size_t next = 0; // The highest one that is not above others yet: a petal does not shade itself.
 		for (const size_t i : from_above) {
-			CardTriangle &triangle = triangles[i];
-			const Corner(&c)[3] = triangle.corners;
-			const Corner middle = middle_of(triangle);
-			float &above = covered[place(middle.depth) * SHADE_CELLS + place(middle.x)];
-			triangle.light *= 1.0f - MAX_SHADE * std::min(above, 1.0f);
-			const float twice =
-					(c[1].x - c[0].x) * (c[2].depth - c[0].depth) - (c[2].x - c[0].x) * (c[1].depth - c[0].depth);
-			above += 0.5f * std::abs(twice) / (cell * cell);
+			const Corner middle = middle_of(triangles[i]);
+			for (; middle_of(triangles[from_above[next]]).y > middle.y + MIN_RISE * reach; next++) {
+				const Corner(&c)[3] = triangles[from_above[next]].corners;
+				const float twice =
+						(c[1].x - c[0].x) * (c[2].depth - c[0].depth) - (c[2].x - c[0].x) * (c[1].depth - c[0].depth);
+				covered[cell_of(middle_of(triangles[from_above[next]]))] += 0.5f * std::abs(twice) / (cell * cell);
+			}
+			triangles[i].light *= 1.0f - MAX_SHADE * std::min(covered[cell_of(middle)], 1.0f);
 		}
 	}
 
@@ -145,7 +148,7 @@ private:
 	}
 
 	PartTemplate make(const PlacedPart &placed, const Part &part) const {
-		return make_part_template(part, form.midrib_of(placed), details_of(part).front(), mean_color(part));
+		return make_part_template(part, form.midrib_of(placed), details_of(part, true).front(), mean_color(part));
 	}
 };
 

@@ -11,18 +11,28 @@ namespace {
 struct LayerSize {
 	int width, height;
 };
-constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 64, 128 }, { 64, 64 }, { 32, 64 } };
+constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 96, 128 }, { 96, 96 }, { 64, 64 }, { 32, 64 } };
+constexpr float MANY = 0.75f; // Of the number of parts of the largest place.
 constexpr int BYTES_OF_TEXEL = 8; // Of both textures.
 
-/// Returns the place of a group with the largest number of parts.
-int largest_place(const CardPlaces &all, int group) {
-	int largest = -1;
+/// Returns the place of a group that is shown: of those with many parts the one of middle size, because other places
+/// scale its picture with all details.
+int shown_place(const CardPlaces &all, int group) {
+	std::vector<int> own;
+	int most = 0;
 	for (size_t i = 0; i < all.places.size(); i++) {
 		const CardPlace &place = all.places[i];
-		const bool is_larger = largest < 0 || place.count > all.places[static_cast<size_t>(largest)].count;
-		largest = place.group == group && !place.extent.is_empty() && is_larger ? static_cast<int>(i) : largest;
+		if (place.group == group && !place.extent.is_empty()) {
+			own.push_back(static_cast<int>(i));
+			most = std::max(most, place.count);
+		}
 	}
-	return largest;
+	const auto at = [&](int i) -> const CardPlace & { return all.places[static_cast<size_t>(i)]; };
+	own.erase(std::remove_if(own.begin(), own.end(),
+					  [&](int i) { return static_cast<float>(at(i).count) < MANY * static_cast<float>(most); }),
+			own.end());
+	std::stable_sort(own.begin(), own.end(), [&](int a, int b) { return at(a).extent.half < at(b).extent.half; });
+	return own.empty() ? -1 : own[own.size() / 2];
 }
 
 std::vector<glm::vec2> edges_of(const CardPicture &picture) {
@@ -89,7 +99,7 @@ CardSheet make_card_sheet(const PlantForm &form) {
 	std::vector<int> shown;
 	int layers = 0;
 	for (size_t g = 0; g < found.size(); g++) {
-		const int place = largest_place(all, static_cast<int>(g));
+		const int place = shown_place(all, static_cast<int>(g));
 		if (place >= 0) {
 			sheet.groups.push_back(found[g]);
 			sheet.layers.push_back(layers);

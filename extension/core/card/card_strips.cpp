@@ -64,7 +64,7 @@ public:
 			part(p_form.rest.placed[static_cast<size_t>(own.carrier)]),
 			layer(sheet.pictures[static_cast<size_t>(layer_of(own.group))]),
 			larger(p_larger) {
-		across = own.extent.half / layer.extent.half;
+		across = own.extent.reach / layer.extent.reach;
 		lengthwise = (own.extent.high - own.extent.low) / (layer.extent.high - layer.extent.low);
 	}
 

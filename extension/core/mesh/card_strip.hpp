@@ -24,12 +24,26 @@ enum class CardTurn {
 inline constexpr float HEAD_VIEWS[] = { -0.17f, 0.42f, 0.9f };
 inline constexpr int HEAD_VIEW_COUNT = 3;
 
+/// Share of the way between two pictures at whose ends the first and the second one are drawn alone. A picture that is
+/// stretched to another height looks better than two that are mixed.
+inline constexpr float HEAD_MIX = 0.3f;
+
 /// Returns the picture for this height of the camera, from 0 to HEAD_VIEW_COUNT - 1. Its fraction is the share of the
 /// next picture.
 inline float head_picture(float sine) {
-	const float low = (sine - HEAD_VIEWS[0]) / (HEAD_VIEWS[1] - HEAD_VIEWS[0]);
-	const float high = (sine - HEAD_VIEWS[1]) / (HEAD_VIEWS[2] - HEAD_VIEWS[1]);
-	return std::clamp(low, 0.0f, 1.0f) + std::clamp(high, 0.0f, 1.0f);
+	float picture = 0.0f;
+	for (int i = 0; i + 1 < HEAD_VIEW_COUNT; i++) {
+		const float way = (sine - HEAD_VIEWS[i]) / (HEAD_VIEWS[i + 1] - HEAD_VIEWS[i]);
+		const float share = std::clamp((way - HEAD_MIX) / (1.0f - 2.0f * HEAD_MIX), 0.0f, 1.0f);
+		picture += share * share * (3.0f - 2.0f * share);
+	}
+	return picture;
+}
+
+/// Returns what is added to the coverage of two mixed pictures of a head: parts that only one of them shows cover too
+/// little in the mean of both. `share`: of the second one.
+inline float head_gain(float share) {
+	return 0.08f * share * (1.0f - share);
 }
 
 /// Returns the height of the edge of a head in its picture (m). `edge`: m along its axis and away from it. Of all

@@ -16,7 +16,6 @@ namespace {
 constexpr double EXTINCTION = 1.6; // From the top of a plant to the ground, where a fifth remains.
 constexpr float INNER_SHADE = 0.4f; // Fraction of the light in the middle of a clump.
 constexpr float RANK_STEPS = 256.0f; // The sum of the rank and the code of the venation fits into a half float.
-constexpr float MAX_WIDENING = 12.0f;
 constexpr float BRIGHTNESS_SHARE = 0.25f; // Maxima of a full colour deviation, as in mesh/deviation.cpp.
 
 float rounded_rank(float rank) {
@@ -109,14 +108,21 @@ void FormWriter::add_strip(const CardStrip &strip) {
 	}
 }
 
-void FormWriter::widen(const Mark &begin, float shown, float near_share) {
+float FormWriter::needed_width(const Mark &begin, const Mark &end, float shown, float near_share) const {
 	float twice = 0.0f;
-	for (int i = begin.index; i < indices; i += 3) {
+	for (int i = begin.index; i < end.index; i += 3) {
 		twice += twice_shown(
 				out.positions[out.indices[i]], out.positions[out.indices[i + 1]], out.positions[out.indices[i + 2]]);
 	}
-	const float factor = std::min(twice > 0.0f ? 2.0f * shown / (twice * near_share) : 1.0f, MAX_WIDENING);
-	scale_width(begin.vertex, factor);
+	return std::min(twice > 0.0f ? 2.0f * shown / (twice * near_share) : 1.0f, MAX_WIDENING);
+}
+
+void FormWriter::widen(const Mark &begin, const Mark &end, float factor) {
+	for (int i = begin.vertex; i < end.vertex; i++) {
+		const glm::vec3 aside(out.custom2[i]);
+		out.positions[i] += aside * (factor - 1.0f);
+		out.custom2[i] = glm::vec4(aside * factor, out.custom2[i].w);
+	}
 }
 
 void FormWriter::stretch(float factor) {
@@ -127,14 +133,6 @@ void FormWriter::stretch(float factor) {
 		out.tangents[i] = glm::vec4(glm::normalize(glm::vec3(out.tangents[i]) * up), 1.0f);
 		out.custom1[i].y *= factor;
 		out.custom2[i].y *= factor;
-	}
-}
-
-void FormWriter::scale_width(int begin, float factor) {
-	for (int i = begin; i < vertices; i++) {
-		const glm::vec3 aside(out.custom2[i]);
-		out.positions[i] += aside * (factor - 1.0f);
-		out.custom2[i] = glm::vec4(aside * factor, out.custom2[i].w);
 	}
 }
 

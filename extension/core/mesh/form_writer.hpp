@@ -29,9 +29,11 @@ public:
 	Mark mark() const { return { vertices, indices }; }
 	/// Scales everything along y. Call it last.
 	void stretch(float factor);
-	/// Widens everything written since `begin` to a mean area of `shown` m² from the side. `near_share`: visible
-	/// fraction of its triangles.
-	void widen(const Mark &begin, float shown, float near_share);
+	/// Returns the factor of width with which everything written from `begin` to `end` has a mean area of `shown` m²
+	/// from the side, at most MAX_WIDENING. `near_share`: visible fraction of its triangles.
+	float needed_width(const Mark &begin, const Mark &end, float shown, float near_share) const;
+	void widen(const Mark &begin, const Mark &end, float factor);
+	static constexpr float MAX_WIDENING = 12.0f;
 
 private:
 	static constexpr int HEIGHTS = 32;
@@ -55,7 +57,6 @@ private:
 
 	void put(const Common &common, const glm::vec3 &middle, const glm::vec3 &aside, const glm::vec3 &normal,
 			const glm::vec3 &along, const glm::vec4 &color, glm::vec2 uv, float offset);
-	void scale_width(int begin, float factor);
 	float openness(const glm::vec3 &point) const;
 	void put_index(int index) { out.indices[indices++] = index; }
 };

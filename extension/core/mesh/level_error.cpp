@@ -221,7 +221,7 @@ bool covers(const SeenCards &cards, float picture, const glm::vec2 &uv) {
 	const size_t at = static_cast<size_t>(4 * (y * cards.width + x) + 3);
 	const float alpha = static_cast<float>(cards.layers[layer][at]);
 	const float next = share > 0.0f ? static_cast<float>(cards.layers[layer + 1][at]) : alpha;
-	return alpha + (next - alpha) * share >= 128.0f;
+	return alpha + (next - alpha) * share + 255.0f * head_gain(share) >= 128.0f;
 }
 
 void draw_cards(const SeenMesh &mesh, const SeenCards &cards, const std::vector<float> &pictures,

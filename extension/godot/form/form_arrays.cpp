@@ -98,18 +98,15 @@ static PackedFloat32Array at_rest(const SampledPlant &sampled, const FormArrays 
 	return all;
 }
 
-// Both areas are relative to the same outlines from the side. `solid`: the first part of the arrays, and what it is the
-// mesh of. Cards show the true area, and their quads are mostly holes.
-static Vector2 from_above(
-		const FormMeasure &measure, const FormMeasure &solid, const MeshCounts &counts, const FormArrays &arrays) {
+// `counts`: of the mesh of the measured parts, the first part of the arrays. Cards need no factor.
+static Vector2 from_above(const FormMeasure &measure, const MeshCounts &counts, const FormArrays &arrays) {
 	float side = 0.0f;
 	for (const float outline : measure.outlines) {
 		side += outline / float(OUTLINES);
 	}
 	const float own = area_from_above({ reinterpret_cast<const glm::vec3 *>(arrays.positions.ptr()), counts.vertices,
 			arrays.indices.ptr(), counts.indices });
-	const float shown = std::max(measure.from_above + own - solid.from_above, 0.0f);
-	return side > 0.0f ? Vector2(measure.from_above, shown) / side : Vector2();
+	return side > 0.0f ? Vector2(measure.from_above, own) / side : Vector2();
 }
 
 MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
@@ -135,10 +132,9 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 				arrays.buffers());
 	}
 	if (above) {
-		const FormMeasure &all = grown.measure();
 		*above = cards.is_empty()
-				? from_above(all, all, counts, arrays)
-				: from_above(all, grown.card_form(sampled.cards->sheet()).measure, cards.rest.counts, arrays);
+				? from_above(grown.measure(), counts, arrays)
+				: from_above(grown.card_form(sampled.cards->sheet()).measure, cards.rest.counts, arrays);
 	}
 	if (sampled.stem) {
 		bind_to_joints(sampled.stem->joints, counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),

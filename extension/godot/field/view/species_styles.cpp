@@ -22,6 +22,7 @@ static constexpr size_t MEASURED_VARIANTS = 3;
 static constexpr float CARD_SHARE = 2.0f / 3.0f; // Of their error: three pixels in place of two.
 static constexpr float BODY_SHARE = 2.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
+static constexpr float SHARPEST = 0.0018f; // m, as an error: nearer, parts are seen to be flat.
 static constexpr float MIN_CARD_GAIN = 0.85f;
 
 static int64_t variant_seed(int64_t seed, int variant) {
@@ -120,7 +121,7 @@ LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector
 // parts, if no bodies are beside them. Nearer than their texels allow, they are blurred. They cost more pixels and must
 // be better by a margin. A body in place of open parts looks wrong, even if its outline is better.
 void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies) {
-	const float sharpest = TEXELS * texel_of(cards->sheet());
+	const float sharpest = std::max(TEXELS * texel_of(cards->sheet()), SHARPEST);
 	const float most = MIN_CARD_GAIN * (has_bodies ? BODY_SHARE : 1.0f) * errors[level];
 	if (sharpest >= most) {
 		return; // Cards are not measured where their texels alone are too large.
