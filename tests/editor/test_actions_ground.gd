@@ -2,7 +2,7 @@
 extends "actions_test.gd"
 ## The ground for new plants of the dock: colliders, meshes, planes.
 
-const Ground := preload("res://addons/undergrowth/editor/actions/ground.gd")
+const NewPlace := preload("res://addons/undergrowth/editor/actions/new_place.gd")
 const SCENE := "res://actions_ground_scene.tscn"
 
 
@@ -35,9 +35,8 @@ func test_before_a_wall_the_ground_is_at_its_foot() -> void:
 	wall.size = Vector3(0.2, 10.0, 10.0)
 	root.add_child(wall)
 	await frames(5)
-	var point := Ground.find_along(
-		root.get_world_3d(), Vector3(-4.0, 2.0, 0.0), Vector3(1.0, -0.1, 0.0).normalized()
-	)
+	var along := Vector3(1.0, -0.1, 0.0).normalized()
+	var point := _find_ground(Vector3(-4.0, 2.0, 0.0), along)
 	check(point.is_equal_approx(Vector3(-0.15, 0.0, 0.0)), "foot of the wall: %s" % point)
 	wall.free()
 
@@ -51,9 +50,14 @@ func _open_garden() -> Node3D:
 
 ## Fails the test unless the ground along that ray is at [param height].
 func check_near_ground(from: Vector3, along: Vector3, height: float, what: String) -> void:
-	var root := EditorInterface.get_edited_scene_root() as Node3D
-	var point := Ground.find_along(root.get_world_3d(), from, along)
+	var point := _find_ground(from, along)
 	check(absf(point.y - height) < 0.02, "%s: %s, not at %f" % [what, point, height])
+
+
+func _find_ground(from: Vector3, along: Vector3) -> Vector3:
+	var root := EditorInterface.get_edited_scene_root() as Node3D
+	var place: NewPlace = NewPlace.find_along(root.get_world_3d(), root, from, along)
+	return place.point
 
 
 func _with_mesh(mesh: Mesh) -> MeshInstance3D:

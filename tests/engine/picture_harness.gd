@@ -54,6 +54,15 @@ func make_twin(
 	return plant
 
 
+## Returns a new reed with a stem of eight joints.
+func make_reed() -> PlantFunction:
+	var species := ReedFunction.new()
+	species.law = PlantFunction.LAW_STEM
+	species.stem = PlantStem.new()
+	species.stem.joints = 8
+	return species
+
+
 ## Draws nothing while it waits: each frame takes longer than the build's part of it.
 func settled(field: PlantField3D) -> void:
 	var is_drawn := RenderingServer.render_loop_enabled

@@ -24,22 +24,22 @@ func after_each() -> void:
 
 
 func test_a_reed_in_steady_wind() -> void:
-	await _compare(_reed(), Transform3D(Basis(Vector3.UP, 0.7)), 240, 0.9)
+	await _compare(make_reed(), Transform3D(Basis(Vector3.UP, 0.7)), 240, 0.9)
 
 
 func test_a_reed_that_swings_back_in_a_turned_field() -> void:
 	_field.rotation.y = 1.9
-	await _compare(_reed(), Transform3D(Basis(Vector3.UP, -2.1)), 22, 0.9)
+	await _compare(make_reed(), Transform3D(Basis(Vector3.UP, -2.1)), 22, 0.9)
 
 
 func test_a_reed_that_leans() -> void:
-	var species := _reed()
+	var species := make_reed()
 	species.lean = deg_to_rad(20.0)
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 240, 2.5)
 
 
 func test_a_reed_of_two_modes_on_a_slope() -> void:
-	var species := _reed()
+	var species := make_reed()
 	species.stem.modes = 2
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.3)
 	await _compare(species, Transform3D(tilt * Basis(Vector3.UP, 2.0)), 13, 0.8, true)
@@ -47,17 +47,17 @@ func test_a_reed_of_two_modes_on_a_slope() -> void:
 
 func test_a_reed_on_a_slope() -> void:
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.3)
-	await _compare(_reed(), Transform3D(tilt * Basis(Vector3.UP, 2.0)), 14, 0.8)
+	await _compare(make_reed(), Transform3D(tilt * Basis(Vector3.UP, 2.0)), 14, 0.8)
 
 
 func test_a_reed_of_two_modes() -> void:
-	var species := _reed()
+	var species := make_reed()
 	species.stem.modes = 2
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 15, 0.8, true)
 
 
 func test_a_reed_of_two_modes_without_a_push() -> void:
-	var species := _reed()
+	var species := make_reed()
 	species.stem.modes = 2
 	species.lean = deg_to_rad(15.0)
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 300, 1.5)
@@ -67,7 +67,7 @@ func test_a_reed_in_air() -> void:
 	_wind.kind = PlantWind.KIND_AIR
 	_wind.turbulence = 0.0
 	_wind.speed = 90.0
-	var species := _reed()
+	var species := make_reed()
 	species.damping_ratio = 0.5
 	var place := Transform3D(Basis(Vector3.UP, 0.7))
 	var id := _field.add_plants([place], species)[0]
@@ -137,7 +137,7 @@ func test_a_tulip_of_parts() -> void:
 func _add_follower() -> int:
 	_field.prototypes = 1
 	await settled(_field)
-	var species := _reed()
+	var species := make_reed()
 	species.lean = 0.0  # Without it the rest would equal that of its prototype.
 	species.natural_frequency = 0.6
 	species.damping_ratio = 0.02
@@ -171,14 +171,6 @@ func _check_modes(plant: Plant3D, in_field: Image, alone: Image) -> void:
 		of_one > 3 * maxi(different, MIN_SECOND_MODE_PIXELS),
 		"%d differ from one mode, %d from both" % [of_one, different]
 	)
-
-
-func _reed() -> PlantFunction:
-	var species := ReedFunction.new()
-	species.law = PlantFunction.LAW_STEM
-	species.stem = PlantStem.new()
-	species.stem.joints = 8
-	return species
 
 
 ## Sets the strength of the wind (N) that bends the tip to about `slope`.

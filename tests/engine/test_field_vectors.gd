@@ -123,15 +123,15 @@ func after_each() -> void:
 
 
 func test_a_reed_has_the_vectors_of_a_plant() -> void:
-	await _compare(_reed(), 5.0, 1.0)
+	await _compare(make_reed(), 5.0, 1.0)
 
 
 func test_a_reed_between_two_steps_has_the_vectors_of_a_plant() -> void:
-	await _compare(_reed(), 5.0, 0.6)
+	await _compare(make_reed(), 5.0, 0.6)
 
 
 func test_a_reed_of_two_modes_has_the_vectors_of_a_plant() -> void:
-	var species := _reed()
+	var species := make_reed()
 	species.stem.modes = 2
 	await _compare(species, 5.0, 0.7)
 
@@ -148,11 +148,11 @@ func test_flutter_has_the_vectors_of_a_plant() -> void:
 
 
 func test_a_moving_camera_gives_the_vectors_of_a_plant() -> void:
-	await _compare(_reed(), 5.0, 1.0, Vector3(0.004, 0.002, 0.0))
+	await _compare(make_reed(), 5.0, 1.0, Vector3(0.004, 0.002, 0.0))
 
 
 func test_still_plants_have_no_vectors() -> void:
-	_add_plant(_reed())
+	_add_plant(make_reed())
 	_field.simulation_enabled = true
 	_wind.strength = 5.0
 	await frames(20)
@@ -172,7 +172,7 @@ func test_still_plants_have_no_vectors() -> void:
 func test_a_follower_has_the_vectors_of_its_picture() -> void:
 	_field.prototypes = 1
 	await settled(_field)
-	var species := _reed()
+	var species := make_reed()
 	species.material = _banded()
 	_add_plant(species)
 	_wind.strength = 5.0
@@ -184,7 +184,7 @@ func test_a_follower_has_the_vectors_of_its_picture() -> void:
 func test_a_pushed_follower_has_the_vectors_of_its_picture() -> void:
 	_field.prototypes = 1
 	await settled(_field)
-	var species := _reed()
+	var species := make_reed()
 	species.material = _banded()
 	_add_plant(species)
 	_field.simulation_enabled = true
@@ -202,14 +202,6 @@ func _add_stage() -> void:
 	_eyes.append(Eye.new())
 	camera.compositor.compositor_effects = [_eyes.back()]
 	_stages.append(stage)
-
-
-func _reed() -> PlantFunction:
-	var species := ReedFunction.new()
-	species.law = PlantFunction.LAW_STEM
-	species.stem = PlantStem.new()
-	species.stem.joints = 8
-	return species
 
 
 func _add_plant(species: PlantFunction) -> int:

@@ -99,7 +99,8 @@ public:
 	/// Call when the node enters a world or leaves it.
 	void note_world();
 
-	/// Call before each frame is drawn, paused or not. Hides plants that are too far from all cameras.
+	/// Call before each frame is drawn, paused or not. Hides plants that are too far from all cameras, and prepares
+	/// motion vectors.
 	void cull();
 
 	/// Returns the index of the style of a function whose plants code adds, and creates it if needed. Returns -1, with

@@ -24,3 +24,14 @@ func test_a_rising_mean_lean_is_sent_in_few_frames() -> void:
 		frames_with_calls <= FRAMES / FRAMES_BETWEEN_LEANS + 1,
 		"sent in %d frames" % frames_with_calls
 	)
+
+
+func test_without_motion_vectors_nothing_of_the_previous_frame_is_sent() -> void:
+	field = make_field(16.0, 4.0)
+	await start()
+	field.simulation_enabled = true
+	var before := DrawingRecord.count_parameter("undergrowth_before")
+	for i in 8:
+		await step(1)
+		field._on_frame_drawn()  # A headless engine draws no frames.
+	check_equal(DrawingRecord.count_parameter("undergrowth_before"), before, "times sent")

@@ -16,15 +16,9 @@ const EDGE := 1e-3
 const MAX_TRIANGLES := 50000
 
 
-## Returns the ground along a ray of [param world], or its intersection with the plane y = 0.
-static func find_along(world: World3D, from: Vector3, direction: Vector3) -> Vector3:
-	var hit := find_hit(world, from, direction)
-	return hit["position"] if hit.has("position") else on_plane(from, direction)
-
-
-## Returns the ground along a ray: its "position" and "normal", the "node" of its mesh, and its
-## "collider" if it has one. At the foot of a wall without ground it is the plane y = 0. Empty:
-## none.
+## Returns the ground along a ray of [param world]: its "position" and "normal", the "node" of its
+## mesh, and its "collider" if it has one. At the foot of a wall without ground it is the plane
+## y = 0. Empty: none.
 static func find_hit(world: World3D, from: Vector3, direction: Vector3) -> Dictionary:
 	var hit := _cast(world, from, from + direction * FARTHEST)
 	if hit.is_empty():

@@ -19,6 +19,7 @@ static func place(undo: EditorUndoRedoManager, root: Node, field: PlantField3D) 
 	if not place:
 		return false
 	var laid := PlantField3D.new()
+	laid.ground_collision_mask = field.ground_collision_mask
 	place.lay(laid, field.get_parent())
 	undo.create_action(Translations.text("Place on Ground"), UndoRedo.MERGE_DISABLE, field)
 	for property in LAID:

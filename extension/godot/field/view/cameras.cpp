@@ -1,10 +1,11 @@
 #include "field/view/cameras.hpp"
 
+#include "base/renderer.hpp"
+
 #include <godot_cpp/classes/camera3d.hpp>
 #include <godot_cpp/classes/compositor.hpp>
 #include <godot_cpp/classes/compositor_effect.hpp>
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -24,11 +25,6 @@ struct WorldCamera {
 	uint64_t world = 0; ///< Instance id.
 	DrawingCamera camera;
 };
-
-static bool is_forward_plus() {
-	static const bool is = RenderingServer::get_singleton()->get_current_rendering_method() == "forward_plus";
-	return is;
-}
 
 static bool has_effects_with_vectors(const Ref<Compositor> &compositor) {
 	if (compositor.is_null()) {

@@ -79,11 +79,15 @@ void FieldMaterials::hide(const FieldRenderSetup &setup) const {
 	}
 }
 
-void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
+void FieldMaterials::forget_sent() {
 	has_sent = is_listed = false;
 	sent_clock = -1.0f;
 	sent_leans.clear();
 	sent_before = {};
+}
+
+void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
+	forget_sent();
 	make(setup, std::numeric_limits<double>::infinity());
 	for (SpeciesStyle &style : setup.styles) {
 		bind_style(style, motion);
@@ -91,10 +95,7 @@ void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
 }
 
 void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motion) {
-	has_sent = is_listed = false;
-	sent_clock = -1.0f;
-	sent_leans.clear();
-	sent_before = {};
+	forget_sent();
 	make(setup, std::numeric_limits<double>::infinity());
 	bind_style(setup.styles.back(), motion);
 }

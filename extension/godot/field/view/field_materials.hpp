@@ -65,6 +65,7 @@ private:
 	int frames_since_leans = 0;
 	MotionVectors::Sent sent_before; ///< To the current materials.
 
+	void forget_sent();
 	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;
 	void list_swinging(const FieldRenderSetup &setup);
 	void send_stem(const SpeciesStyle &style) const;

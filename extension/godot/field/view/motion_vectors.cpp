@@ -7,7 +7,7 @@ namespace undergrowth {
 MotionVectors::Sent MotionVectors::next(const Shown &now, bool is_wanted) {
 	const Shown last = std::exchange(before, now);
 	if (!std::exchange(has_before, is_wanted) || !is_wanted) {
-		sent = { is_wanted ? TILT : 0.0f, now.clock, 0.0f };
+		sent = is_wanted ? Sent{ TILT, now.clock, 0.0f } : Sent();
 		return sent;
 	}
 	const double steps = now.steps - last.steps;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 namespace undergrowth {
 
 /// What a field showed in the last drawn frame, for the motion vectors that Forward+ writes for TAA, FSR 2 and effects.

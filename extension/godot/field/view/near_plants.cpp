@@ -334,6 +334,16 @@ void NearPlants::set_scenario(const RID &scenario) {
 void NearPlants::set_transform(const Transform3D &transform) {
 	is_due = is_due || transform != placed;
 	placed = transform;
+	place_all();
+}
+
+void NearPlants::set_tilt(float now) {
+	if (std::exchange(tilt, now) != now) {
+		place_all();
+	}
+}
+
+void NearPlants::place_all() const {
 	for (const Band &band : bands) {
 		for (const List &list : band.lists) {
 			place(band, list);
@@ -348,19 +358,6 @@ void NearPlants::place(const Band &band, const List &list) const {
 		const float height = !is_tilted ? 0.0f : list.slots.front().square->root(list.slots.front().plant).y;
 		RenderingServer::get_singleton()->instance_set_transform(
 				list.instance, is_tilted ? tilted(placed, tilt, height) : placed);
-	}
-}
-
-void NearPlants::set_tilt(float now) {
-	if (std::exchange(tilt, now) == now) {
-		return;
-	}
-	for (const Band &band : bands) {
-		for (const List &list : band.lists) {
-			if (!band.casts_shadows && !list.slots.empty()) {
-				place(band, list);
-			}
-		}
 	}
 }
 

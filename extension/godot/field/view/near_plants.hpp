@@ -110,6 +110,7 @@ private:
 	void free_lists();
 	void apply_flags(const Band &band, const List &list) const;
 	void place(const Band &band, const List &list) const;
+	void place_all() const;
 	bool is_shown(const Band &band, const List &list) const;
 	bool must_update(const std::vector<DrawingCamera> &cameras) const;
 	void take_out(Band &band, const std::vector<Sight> &sights);
