@@ -172,6 +172,7 @@ func _check_equal_steps(count: int) -> void:
 	_plant.reset_motion()
 	_single.reset_motion()
 	var steps := 0
+	var bend := 0.0  # At the end it may be upright for a moment.
 	while steps < count:
 		var before := field.get_motion_time()
 		await process_frame
@@ -183,7 +184,8 @@ func _check_equal_steps(count: int) -> void:
 		check_equal(_single.get_motion_time(), time, "time of the other")
 		# A step moves a tip by far more.
 		check_near(_single.get_tip_position(_id), _plant.get_tip_position(), 1e-5, "tip")
-	check(_plant.get_deflection() > 0.01, "they move")
+		bend = maxf(bend, _plant.get_deflection())
+	check(bend > 0.01, "they move")
 
 
 ## Returns the output of tests/engine/driven/print_motion_time.gd in a process of its own: a hash by
