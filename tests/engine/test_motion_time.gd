@@ -128,6 +128,27 @@ func test_fields_and_plants_have_one_time_after_a_change_of_the_step_length() ->
 	PlantSimulation.step_length = usual
 
 
+func test_slow_frames_drop_the_same_steps_of_winds_fields_and_plants() -> void:
+	await start()
+	_add_single_field()
+	_add_plant()
+	await frames(5)
+	Engine.time_scale = 8.0
+	var counts: Array[int] = []
+	for i in 6:
+		var before := field.wind.get_time()
+		await process_frame
+		var time := field.wind.get_time()
+		counts.append(roundi((time - before) / STEP))
+		await processed()
+		check_equal(field.get_motion_time(), time, "time of the field")
+		check_near(_single.get_tip_position(_id), _plant.get_tip_position(), 1e-5, "tip")
+		PlantSimulation._add_field_time(1e5)
+	check(counts[0] > 3 and counts[1] > 3, "a single slow frame drops nothing: %s" % [counts])
+	check(counts.slice(3).max() <= 3, "later frames drop steps: %s" % [counts])
+	check(counts.min() >= 1, "each frame has a step: %s" % [counts])
+
+
 func test_equal_motion_time_is_equal_motion_to_the_bit_at_every_frame_rate() -> void:
 	for kind: String in ["waves", "air", "blend"]:
 		var expected := _steps_at(60, kind)

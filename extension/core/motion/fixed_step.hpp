@@ -6,9 +6,6 @@ namespace undergrowth {
 class FixedStep {
 public:
 	static constexpr double LONGEST_FRAME = 8.0 / 60.0; ///< s, maximum time that a frame catches up.
-	/// s, time limit for the steps of a frame. The caller drops the remaining steps after it, but always runs the
-	/// first.
-	static constexpr double MAX_STEPPING_TIME = 1.0 / 30.0;
 
 	/// `step` in seconds, finite and > 0; at most `max_steps` steps a frame: further time is dropped.
 	FixedStep(double step, int max_steps);

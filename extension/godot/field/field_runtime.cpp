@@ -76,9 +76,12 @@ double FieldRuntime::advance(double delta, bool simulates) {
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
 	}
-	const BodyReading *bodies = PlantSimulation::get_singleton()->read_bodies(properties.bodies_group, world);
-	motion.bodies.watch(bodies, now.axes, delta);
-	return motion.advance(now, properties);
+	PlantSimulation *plants = PlantSimulation::get_singleton();
+	motion.bodies.watch(plants->read_bodies(properties.bodies_group, world), now.axes, delta);
+	const Stopwatch watch;
+	const double stepping_usec = motion.advance(now, properties);
+	plants->add_field_time(watch.usec());
+	return stepping_usec;
 }
 
 void FieldRuntime::preview(double delta, const Ref<PlantWind> &blowing) {

@@ -183,7 +183,17 @@ void PlantSimulation::pose_plants() {
 	}
 }
 
+// A field does not wait for its last step, so `count` steps of a field take the time of one less.
+void PlantSimulation::record_steps() {
+	if (frame.count > 0) {
+		const double plants = step_time_usec / frame.count;
+		budget.record(1e-6 * (plants + field_time_usec / std::max(frame.count - 1, 1)));
+	}
+	field_time_usec = 0.0;
+}
+
 void PlantSimulation::advance(double delta) {
+	record_steps();
 	const Clock::time_point start = Clock::now();
 	drop_empty_groups();
 	follow_groups();
@@ -197,13 +207,9 @@ void PlantSimulation::advance(double delta) {
 		group->roots.watch(group->page, delta);
 	}
 	const uint64_t number = frame.frame + 1;
-	frame = { number, clock.advance(delta), clock.step(), clock.alpha() };
+	frame = { number, budget.allow(clock.advance(delta)), clock.step(), clock.alpha() };
 	list_winds();
 	for (int i = 0; i < frame.count; i++) {
-		if (i > 0 && microseconds_since(start) > 1e6 * FixedStep::MAX_STEPPING_TIME) {
-			frame.count = i; // Drops the remaining steps, so that a slow frame does not slow down the next one.
-			break;
-		}
 		step(frame.ago(i), i == 0);
 	}
 	winds.clear();
@@ -286,6 +292,7 @@ void PlantSimulation::on_steps_collected() {
 
 void PlantSimulation::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_steps_collected"), &PlantSimulation::on_steps_collected);
+	ClassDB::bind_method(D_METHOD("_add_field_time", "usec"), &PlantSimulation::add_field_time);
 	ClassDB::bind_method(D_METHOD("_on_process_frame"), &PlantSimulation::on_process_frame);
 	ClassDB::bind_method(D_METHOD("_load_parts_shader"), &PlantSimulation::on_parts_shader_wanted);
 	ClassDB::bind_method(D_METHOD("_on_monitor_read", "which"), &PlantSimulation::read_monitor);

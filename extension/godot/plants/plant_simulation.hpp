@@ -3,6 +3,7 @@
 #include "base/queued_call.hpp"
 #include "bodies/plant_bodies.hpp"
 #include "motion/fixed_step.hpp"
+#include "motion/step_budget.hpp"
 #include "motion/swing_clock.hpp"
 #include "plants/frame_steps.hpp"
 #include "plants/plant_contact.hpp"
@@ -36,17 +37,20 @@ class PlantSimulation : public godot::Object {
 	bool is_contact_dirty = false; ///< Plants with contact were added or removed.
 	bool has_reported_crowd = false;
 	FixedStep clock;
+	StepBudget budget;
 	FrameSteps frame; ///< The present one.
 	SwingClock swings;
 	uint64_t step_number = 0; ///< Of the present step; the first is 1.
 	QueuedCall steps_start{ this, "_on_steps_collected" };
 	uint64_t connected_tree = 0; ///< Instance id of the scene tree that sends frames.
 	double step_time_usec = 0.0;
+	double field_time_usec = 0.0; ///< Of the steps of all fields in this frame.
 	double pose_time_usec = 0.0;
 
 	PlantGroup *find_group(const PlantKind &kind);
 	void drop_empty_groups();
 	void follow_groups();
+	void record_steps();
 	void list_winds();
 	void step_groups(double ago);
 	void step(double ago, bool is_first);
@@ -85,6 +89,9 @@ public:
 	double read_monitor(int which) const;
 	/// The steps of the present frame. They are done for plants and winds before nodes process.
 	const FrameSteps &frame_steps() const { return frame; }
+
+	/// Adds µs that the main thread spent on the steps of a field. They count for the number of steps in later frames.
+	void add_field_time(double usec) { field_time_usec += usec; }
 
 	/// Simulates `delta` seconds. Called in each frame of the scene tree.
 	void advance(double delta);

@@ -539,14 +539,10 @@ double FieldMotion::advance(const Frame &frame, const MotionOptions &options) {
 		return 0.0;
 	}
 	update_far(frame, options);
-	const Stopwatch watch;
 	double stepping_usec = 0.0;
 	for (int i = 0; i < frame.steps.count; i++) {
 		wait();
 		stepping_usec += i > 0 ? steps.inline_usec() : 0.0;
-		if (i > 0 && watch.usec() > 1e6 * FixedStep::MAX_STEPPING_TIME) {
-			break; // Drops the remaining steps, so that a slow frame does not slow down the next one.
-		}
 		const double ago = frame.steps.ago(i);
 		follow_wind(frame, i);
 		stir(frame, options, ago);
