@@ -131,6 +131,8 @@ void FieldSimulation::push_follower(Entry &entry, int index, const MotionState &
 	plant.root = entry.page.root(index);
 	plant.length = entry.page.length(index);
 	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);
+	plant.scale = models[static_cast<std::size_t>(entry.page.species())].scale_of(plant.length);
+	plant.own = own_of_root(plant.root);
 	const int page = number_of(entry);
 	const int number = some.add(plant, page, index, state, shown_modes(page, index, 0.0f));
 	follower.detached = static_cast<uint16_t>(number + 1);

@@ -17,6 +17,7 @@ constexpr float OWN_DELAY = 1.0f; // s; about one swing, so that followers of on
 /// A plant that leans follows one of the prototypes within this share of the circle.
 constexpr int LEAN_SECTORS = 8;
 constexpr int TALL_SECTORS = 8;
+constexpr int OWN_STRIDE = 37; ///< Odd, so that prototypes of one length or lean have different frequencies.
 
 /// Direction of the lean of `rest`, as a share of the circle from +z towards +x: its octant and the tangent within it.
 /// This is even enough and needs no arc tangent.
@@ -37,6 +38,8 @@ std::vector<MotionPlant> spread_plants(const MotionSpecies &species, int count) 
 		// Neighbours on the circle of leans differ in length: the index strides oddly through the lengths.
 		const float part = static_cast<float>((i * 29) % count) / static_cast<float>(std::max(count - 1, 1));
 		plant.length = species.shortest + part * (species.longest - species.shortest);
+		plant.scale = 2.0f * plant.length / (species.shortest + species.longest);
+		plant.own = 2.0f * (static_cast<float>((i * OWN_STRIDE) % count) + 0.5f) / static_cast<float>(count) - 1.0f;
 		const double around = 2.0 * PI * (i + 0.5) / count;
 		plant.rest = { static_cast<float>(portable_sin(lean) * portable_sin(around)),
 			static_cast<float>(portable_cos(lean)), static_cast<float>(portable_sin(lean) * portable_cos(around)) };

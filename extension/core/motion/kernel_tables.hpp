@@ -104,7 +104,7 @@ struct StemPage {
 	float *rate_x[MAX_STEM_MODES], *rate_z[MAX_STEM_MODES]; ///< 1/s.
 	const float *rest_x, *rest_z; ///< Stereographic image of the rest direction (motion/bend_encoding.hpp).
 	const float *scale; ///< The length that the species' constants are for, over the plant's own.
-	/// Only for stems with height-dependent frequencies, else null: factors of `scale` for both kinds of load, and per
+	/// Only for stems with own frequencies, else null: factors of `scale` for both kinds of load, and per
 	/// plant the first four members of StemModeStep of each mode.
 	const float *dead_ease, *air_ease;
 	const float *by_height[MAX_STEM_MODES][4];

@@ -25,7 +25,7 @@ int column_count(bool swings, bool keeps_directions, const MotionSpecies &specie
 	}
 	if (species.law == Law::stem) {
 		const int modes = species.stem.modes;
-		return stem_columns(modes, keeps_directions) + (species.stem.has_grades() ? graded_columns(modes) : 0);
+		return stem_columns(modes, keeps_directions) + (species.stem.has_own_frequencies() ? graded_columns(modes) : 0);
 	}
 	return keeps_directions ? static_cast<int>(REMEMBERING_COLUMNS) : static_cast<int>(SWINGING_COLUMNS);
 }
@@ -50,6 +50,33 @@ void MotionPage::reserve(int plants) {
 	blocks.reserve(static_cast<std::size_t>((std::max(plants, 0) + BLOCK_ROWS - 1) / BLOCK_ROWS));
 	pairs.reserve(has_bends() ? 2 * static_cast<std::size_t>(std::max(plants, 0)) : 0);
 	second_pairs.reserve(has_room_for_second() ? pairs.capacity() : 0);
+	owns.reserve(is_graded() ? static_cast<std::size_t>(std::max(plants, 0)) : 0);
+}
+
+/// Adds rows for `plants`, or default ones.
+void MotionPage::add_owns(const MotionPlant *plants) {
+	if (!is_graded()) {
+		owns = {};
+		return;
+	}
+	const int before = static_cast<int>(owns.size());
+	owns.resize(static_cast<std::size_t>(size()));
+	if (plants) {
+		put_owns(before, plants, size() - before);
+	}
+}
+
+void MotionPage::put_owns(int first, const MotionPlant *plants, int count) {
+	for (int i = 0; i < count; i++) {
+		owns[static_cast<std::size_t>(first + i)] = { plants[i].scale, plants[i].own };
+	}
+}
+
+void MotionPage::set_owns(int first, const MotionPlant *plants, int count) {
+	if (is_graded()) {
+		put_owns(first, plants, count);
+		update_constants(first, first + count);
+	}
 }
 
 void MotionPage::add(const MotionPlant *plants, int count) {
@@ -63,6 +90,7 @@ void MotionPage::add(const MotionPlant *plants, int count) {
 		put_place(i, plants[i - before]);
 		settle(i);
 	}
+	add_owns(plants);
 	if (is_swinging) {
 		update_constants(before);
 	}
@@ -94,6 +122,9 @@ void MotionPage::set_plant(int index, const MotionPlant &plant) {
 		ahead.forget();
 	}
 	put_place(index, plant);
+	if (is_graded()) {
+		put_owns(index, &plant, 1);
+	}
 	if (is_swinging) {
 		update_constants(index, index + 1);
 	}
@@ -131,6 +162,10 @@ void MotionPage::remove(int index) {
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
 	ahead.forget();
 	rows.remove_row(index);
+	if (is_graded()) {
+		owns[static_cast<std::size_t>(index)] = owns.back();
+		owns.pop_back();
+	}
 	if (index < size()) {
 		grow_box(index, false); // The last plant is in this block now.
 	}
@@ -146,7 +181,7 @@ void MotionPage::remove(int index) {
 bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 	return species.law == kind.law &&
 			(kind.law != Law::stem ||
-					(species.stem.modes == whole.modes && species.stem.has_grades() == whole.has_grades() &&
+					(species.stem.modes == whole.modes && species.stem.has_own_frequencies() == whole.has_own_frequencies() &&
 							species.stem.mode[0].tip_slope == whole.mode[0].tip_slope));
 }
 
@@ -160,6 +195,7 @@ void MotionPage::set_species(const MotionSpecies &species) {
 	kind = species;
 	kind.joint = safe_joint(species.joint);
 	whole = species.stem;
+	add_owns(nullptr);
 	ahead.forget();
 	if (is_swinging) {
 		update_constants(0);
@@ -282,7 +318,7 @@ void MotionPage::update_box() {
 
 std::size_t MotionPage::bytes() const {
 	return rows.bytes() + blocks.capacity() * sizeof(BlockBox) +
-			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + ahead.bytes() + sizeof(MotionPage);
+			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + owns.capacity() * sizeof(OwnStem) + ahead.bytes() + sizeof(MotionPage);
 }
 
 /// Moves a state to another rest direction, at the same distance from it in the plane of the spring law.

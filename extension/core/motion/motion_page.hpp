@@ -186,6 +186,9 @@ public:
 	/// Changes the rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there.
 	/// No effect under the elasticity law.
 	void set_rests(int first, const glm::vec3 *rests, int count);
+	/// Sets scale and `own` of `count` plants from `first` on. Without it plants have the default ones after a change to
+	/// a species with own frequencies.
+	void set_owns(int first, const MotionPlant *plants, int count);
 	/// Changes the step length (s) without interrupting the motion. Allocates nothing.
 	void set_step_length(float step);
 	/// Time within a step at which to sample the wind, as a fraction: the elasticity law kicks at the start of the
@@ -248,6 +251,7 @@ private:
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	std::vector<BlockBox> blocks;
 	Columns rows;
+	std::vector<OwnStem> owns; ///< Of stems with own frequencies, else empty.
 	std::vector<Bend> pairs;
 	std::vector<Bend> second_pairs;
 	AirAhead ahead;
@@ -259,7 +263,9 @@ private:
 	/// For the plants from `begin` on, or up to `end`.
 	void update_constants(int begin) { update_constants(begin, size()); }
 	void update_constants(int begin, int end);
-	bool is_graded() const { return kind.law == Law::stem && whole.has_grades(); }
+	bool is_graded() const { return is_swinging && kind.law == Law::stem && whole.has_own_frequencies(); }
+	void add_owns(const MotionPlant *plants);
+	void put_owns(int first, const MotionPlant *plants, int count);
 	StemGrades grades(int begin);
 	void update_stems(int begin, int end);
 	void put_place(int index, const MotionPlant &plant);

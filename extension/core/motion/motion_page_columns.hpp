@@ -74,7 +74,7 @@ constexpr int stem_columns(int modes, bool keeps_directions) {
 	return last_of_mode(modes, keeps_directions ? modes : 0);
 }
 
-/// Number of columns after these for height-dependent frequencies: the factors of both loads, and four per mode.
+/// Number of columns after these for stems with own frequencies: the factors of both loads, and four per mode.
 constexpr int graded_columns(int modes) {
 	return 2 + 4 * modes;
 }

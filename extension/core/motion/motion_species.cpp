@@ -1,6 +1,9 @@
 #include "motion/motion_species.hpp"
 
+#include "base/random.hpp"
+
 #include <cmath>
+#include <cstring>
 
 namespace undergrowth {
 
@@ -23,8 +26,15 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 			(a.law != Law::stem || a.stem == b.stem);
 }
 
+float own_of_root(const glm::vec3 &root) {
+	uint32_t place[2];
+	std::memcpy(&place[0], &root.x, sizeof place[0]);
+	std::memcpy(&place[1], &root.z, sizeof place[1]);
+	return signed_noise(place[0], place[1]);
+}
+
 bool is_valid(const MotionPlant &plant) {
-	return is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
+	return std::fabs(plant.own) <= 1.0f && std::isfinite(plant.scale) && plant.scale > 0.0f && is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
 			plant.rest.y > 0.0f;
 }
 

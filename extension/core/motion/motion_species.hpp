@@ -29,9 +29,16 @@ struct MotionPlant {
 	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m; only x and z matter to the wind.
 	float length = 1.0f; ///< m, > 0.
 	glm::vec3 rest = { 0.0f, 1.0f, 0.0f }; ///< Unit; not of the elasticity law; as Joint::rest.
+	/// Of the whole plant, the stem's diameter included, > 0; `length` contains it. A larger plant of the same
+	/// proportions swings more slowly and bends as far in the air.
+	float scale = 1.0f;
+	float own = 0.0f; ///< Place of its frequency among plants of its size, -1 to 1; see StemConstants::spread.
 };
 
-/// Whether all numbers are finite, the length > 0 and the rest direction above the ground.
+/// MotionPlant::own of the plant of a field with this root, by x and z: uniform, the same on every platform.
+float own_of_root(const glm::vec3 &root);
+
+/// Whether all numbers are finite and in range, the length > 0 and the rest direction above the ground.
 bool is_valid(const MotionPlant &plant);
 
 } // namespace undergrowth

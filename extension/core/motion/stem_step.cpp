@@ -74,15 +74,21 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 	return made;
 }
 
-float stem_grades(const StemConstants &stem, float step, const float *lengths, int count, const StemGrades &to) {
+float stem_grades(const StemConstants &stem, float step, const OwnStems &plants, const StemGrades &to) {
+	const bool is_by_length = stem.has_grades();
 	float fastest = 1.0f;
-	for (int i = 0; i < count; i++) {
-		const float ratio = lengths[i] > MIN_LENGTH ? std::min(lengths[i] / stem.length, MAX_RATIO) : 1.0f;
-		to.dead_ease[i] = ratio * std::max(stem.dead_grade.at(ratio), MIN_GRADE);
-		to.air_ease[i] = ratio * std::max(stem.air_grade.at(ratio), MIN_GRADE);
+	for (int i = 0; i < plants.count; i++) {
+		const float length = plants.lengths[i];
+		const bool is_graded = is_by_length && length > MIN_LENGTH;
+		const float scale = is_graded ? plants.stems[i].scale : 1.0f;
+		const float ratio = is_graded ? std::min(length / (scale * stem.length), MAX_RATIO) : 1.0f;
+		const float pace = 1.0f + stem.spread * plants.stems[i].own;
+		const float softness = ratio * scale / (pace * pace); // Times StemPage::scale it is 1 over the stiffness.
+		to.dead_ease[i] = softness * std::max(stem.dead_grade.at(ratio), MIN_GRADE) / (scale * scale);
+		to.air_ease[i] = softness * std::max(stem.air_grade.at(ratio), MIN_GRADE);
 		for (int k = 0; k < stem.modes; k++) {
 			StemMode own = stem.mode[k];
-			own.frequency /= std::max(own.period.at(ratio), MIN_GRADE);
+			own.frequency *= pace / (scale * std::max(own.period.at(ratio), MIN_GRADE));
 			fastest = std::max(fastest, own.frequency / stem.mode[k].frequency);
 			const StemModeStep made = mode_step(own, step);
 			to.by_height[k][0][i] = made.place_from_place;

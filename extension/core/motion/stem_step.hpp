@@ -12,15 +12,28 @@ namespace undergrowth {
 /// ground stops tips.
 StemStep stem_step_constants(const StemConstants &stem, float step, bool above_ground = true);
 
-/// Columns of StemPage for stems whose frequencies follow from their height.
+/// What stems with own frequencies differ in, beside their length; as in MotionPlant.
+struct OwnStem {
+	float scale = 1.0f;
+	float own = 0.0f;
+};
+
+/// Stems whose frequencies differ.
+struct OwnStems {
+	const float *lengths; ///< m.
+	const OwnStem *stems;
+	int count;
+};
+
+/// Columns of StemPage for them.
 struct StemGrades {
 	float *dead_ease, *air_ease;
 	float *by_height[MAX_STEM_MODES][4];
 };
 
-/// Fills in the columns for plants with `count` lengths (m). Returns the highest frequency relative to the species', at
-/// least 1.
-float stem_grades(const StemConstants &stem, float step, const float *lengths, int count, const StemGrades &to);
+/// Fills in the columns. A plant with another frequency than its size gives has another stiffness, so loads bend it
+/// differently. Scaled plants have the same proportions; the change of gravity's effect is left out. Returns the highest frequency relative to the species', at least 1.
+float stem_grades(const StemConstants &stem, float step, const OwnStems &plants, const StemGrades &to);
 
 /// StemPage::scale of plants with each of `count` lengths (m); 1 for removed plants (length 0).
 void stem_scales(const StemConstants &stem, const float *lengths, int count, float *scales);

@@ -16,6 +16,8 @@ struct Motion {
 	float inner_friction = 0.3f; ///< Elasticity law, N·s/m against the tip's velocity.
 	float natural_frequency = 1.0f; ///< Spring and stem laws, Hz, of a small free swing of the finished plant.
 	float damping_ratio = 0.1f; ///< Of both, 1 is critical.
+	float frequency_height = 0.0f; ///< Stem law: m, height of plants with natural_frequency; 0: all heights.
+	float frequency_deviation = 0.0f; ///< Stem law: standard deviation at one height, as a fraction.
 	float mass = 1.0f; ///< kg, at the tip.
 	/// Fraction of the wind force that acts on the plant. Below 0: 1 for a tip; for a stem the value with which it
 	/// bends as far as a kilogram at the tip of the same frequency.

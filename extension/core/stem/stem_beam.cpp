@@ -226,6 +226,9 @@ void Solver::write_chords() {
 
 } // namespace
 
+/// Of a uniform distribution with a standard deviation of 1: √3.
+static constexpr float UNIFORM_HALF_WIDTH = 1.7320508f;
+
 StemSolution solve_stem(const StemBeam &beam) {
 	StemSolution solution;
 	solution.fault = find_fault(beam);
@@ -234,9 +237,14 @@ StemSolution solve_stem(const StemBeam &beam) {
 	}
 	if (solution.fault != StemFault::none) {
 		solution.constants = StemConstants();
-	} else if (beam.natural_frequency == 0.0f) {
-		grade_by_height(beam, solution.constants);
+		return solution;
 	}
+	if (beam.natural_frequency == 0.0f || beam.frequency_by_length) {
+		StemBeam stiff = beam;
+		stiff.youngs_modulus = static_cast<float>(solution.youngs_modulus);
+		grade_by_height(stiff, solution.constants);
+	}
+	solution.constants.spread = UNIFORM_HALF_WIDTH * beam.frequency_deviation;
 	return solution;
 }
 

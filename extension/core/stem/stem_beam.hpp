@@ -34,6 +34,9 @@ struct StemBeam {
 	/// Hz, of the slowest small swing, gravity included; 0: it follows from `youngs_modulus`.
 	float natural_frequency = 1.5f;
 	float youngs_modulus = 4e9f; ///< Pa, where no frequency is declared.
+	/// True: a declared frequency is that of stems of `length`; stems of other lengths have the same stiffness.
+	bool frequency_by_length = false;
+	float frequency_deviation = 0.0f; ///< Standard deviation of plants of one length, as a fraction; 0 to 0.3.
 	float damping_ratio = 0.06f; ///< Of a small swing in still air, all modes.
 
 	float head_mass = 0.0f; ///< kg.
@@ -62,6 +65,7 @@ enum class StemFault {
 	drag,
 	frequency,
 	stiffness,
+	deviation,
 	damping,
 	head,
 	leaves,

@@ -14,7 +14,7 @@ constexpr int MAX_STEM_JOINTS = 8;
 constexpr int STEM_SHAPE_TERMS = 6;
 
 /// Dependence of a value on the length of a plant, as a factor of the value at StemConstants::length. At r times that
-/// length the factor is 1 + (r - 1)·(slope + curve·(r - 1)). Both are 0 if the frequency is declared.
+/// length the factor is 1 + (r - 1)·(slope + curve·(r - 1)). Both are 0 if frequencies do not depend on the length.
 struct StemGrade {
 	float slope = 0.0f;
 	float curve = 0.0f;
@@ -45,8 +45,8 @@ struct StemMode {
 /// The constants of a species' stem, for stepping and drawing. They are computed once per species (solve_recipe) for a
 /// stem of `length`, and are valid for plants of all lengths. Immutable; any thread may read them. Comparable by bytes.
 struct StemConstants {
-	/// m. If the frequency is declared, a plant of another length L has the same frequencies, and its loads are scaled
-	/// by length/L. If it follows from the stiffness, grades scale both.
+	/// m. Without grades a plant of another length L has the same frequencies, and its loads are scaled by length/L.
+	/// If frequencies follow from the stiffness, grades scale both.
 	float length = 1.0f;
 	int modes = 1;
 	int joints = 4;
@@ -55,6 +55,9 @@ struct StemConstants {
 	float air_slope = 0.0f; ///< s²/m²: the same per squared speed of the wind.
 	StemGrade dead_grade; ///< Factor of dead_slope.
 	StemGrade air_grade; ///< Factor of air_slope.
+	/// Maximum difference of a plant's own frequency from that of others of its length, as a fraction: plant `own` of
+	/// MotionPlant has 1 + own·spread times their frequency.
+	float spread = 0.0f;
 	float axial_share = 1.0f; ///< Effect of a load along the stem, relative to one across it.
 	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(n·X3 + n²·X5), t = Σ_k q_k·tip_slope and
 	/// n = min(|t|², 1), because no steady wind bends a tip below level. shape[j] has the four coefficients of
@@ -67,12 +70,14 @@ struct StemConstants {
 	/// deflection[joints].
 	float deflection[MAX_STEM_JOINTS + 1][MAX_STEM_MODES] = {};
 
-	/// True if frequencies depend on each plant's own length.
+	/// True if frequencies depend on each plant's length.
 	bool has_grades() const { return mode[0].period.slope != 0.0f; }
+	/// True if plants have different frequencies.
+	bool has_own_frequencies() const { return has_grades() || spread > 0.0f; }
 
 	bool operator==(const StemConstants &other) const {
 		static_assert(sizeof(StemConstants) ==
-						4 * (10 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+						4 * (11 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
 								4 * (MAX_STEM_JOINTS + 1) * MAX_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;

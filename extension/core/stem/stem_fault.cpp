@@ -48,6 +48,7 @@ StemFault find_fault(const StemBeam &beam) {
 		{ lies(beam.drag_coefficient, 0.01, 10.0), StemFault::drag },
 		{ !is_declared || lies(beam.natural_frequency, 0.02, 100.0), StemFault::frequency },
 		{ is_declared || lies(beam.youngs_modulus, 1e4, 1e12), StemFault::stiffness },
+		{ lies(beam.frequency_deviation, 0.0, 0.3001), StemFault::deviation },
 		{ lies(beam.damping_ratio, 0.0, 1.0), StemFault::damping },
 		{ is_head_sound(beam), StemFault::head },
 		{ lies(beam.leaf_mass, 0.0, 1000.0) && lies(beam.leaf_drag_area, 0.0, 100.0), StemFault::leaves },
@@ -89,6 +90,8 @@ const char *describe(StemFault fault) {
 				   "PlantStem instead.";
 		case StemFault::stiffness:
 			return "The stem's Young's modulus is out of range: use 10000 Pa to 1e12 Pa.";
+		case StemFault::deviation:
+			return "The deviation of the stem's frequency is out of range: use 0 to 0.3.";
 		case StemFault::damping:
 			return "The stem's damping ratio is out of range: use 0 to 1.";
 		case StemFault::head:

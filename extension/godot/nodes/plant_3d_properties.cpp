@@ -4,6 +4,7 @@
 
 #include "base/convert.hpp"
 #include "base/follow_changes.hpp"
+#include "base/random.hpp"
 #include "base/world_of.hpp"
 #include "plant/base_shape.hpp"
 
@@ -16,6 +17,7 @@ namespace undergrowth {
 static constexpr Range SEGMENTS_RANGE = { MIN_LOD, MAX_LOD };
 static constexpr Range HEIGHT_RANGE = { 0.0, 1000.0 };
 static constexpr Range MARGIN_RANGE = { 0.0, 100.0 };
+static constexpr float MIN_SCALE = 1e-6f;
 static constexpr Range APPARENT_RANGE = { 0.0, 10.0 };
 
 void Plant3D::set_species(const Ref<PlantFunction> &new_species) {
@@ -152,7 +154,7 @@ void Plant3D::update_forces() {
 }
 
 std::shared_ptr<const StemConstants> Plant3D::find_stem(float metres) const {
-	return species->find_stem(plant_transform.length_of(metres), wind_is_air);
+	return species->find_stem(metres, wind_is_air);
 }
 
 MotionSpecies Plant3D::kind_of_motion() const {
@@ -189,7 +191,7 @@ glm::vec3 Plant3D::rest() const {
 
 MovedPlant Plant3D::moved() const {
 	return { kind_of_motion(), wind, force_settings(), plant_transform.root, rest(),
-		plant_transform.length_of(view.height()) };
+		plant_transform.length_of(view.height()), std::max(plant_transform.scale_along, MIN_SCALE), signed_noise(uint64_t(seed), 0) };
 }
 
 // Many properties may change in one frame. The mesh is built once, at the end of the frame.

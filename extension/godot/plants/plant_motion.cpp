@@ -25,6 +25,8 @@ static MotionPlant row_of(const MovedPlant &moved, PlantFrame frame) {
 	row.root = moved.root;
 	row.length = moved.length;
 	row.rest = to_frame(frame, moved.rest);
+	row.scale = moved.scale;
+	row.own = moved.own;
 	return row;
 }
 

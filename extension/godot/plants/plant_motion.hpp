@@ -16,6 +16,7 @@ struct MovedPlant {
 	glm::vec3 root; ///< m.
 	glm::vec3 rest; ///< Rest direction, unit.
 	float length; ///< m.
+	float scale, own; ///< As in MotionPlant.
 };
 
 /// The motion of a plant, in world axes: its state, and its drawn direction one step before.

@@ -21,6 +21,8 @@ namespace undergrowth {
 static constexpr Range ELASTICITY_RANGE = { -0.99, 1e4 };
 static constexpr Range FRICTION_RANGE = { 0.0, 1e6 };
 static constexpr Range FREQUENCY_RANGE = { 0.01, 1000.0 };
+static constexpr Range FREQUENCY_HEIGHT_RANGE = { 0.0, 100.0 };
+static constexpr Range FREQUENCY_DEVIATION_RANGE = { 0.0, 0.3 };
 static constexpr Range DAMPING_RANGE = { 0.0, 100.0 };
 static constexpr Range LEAN_DEGREES = { 0.0, 80.0 };
 static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
@@ -135,6 +137,22 @@ void PlantFunction::set_natural_frequency(double hertz) {
 
 double PlantFunction::get_natural_frequency() const {
 	return shortest_decimal(motion.natural_frequency);
+}
+
+void PlantFunction::set_frequency_height(double metres) {
+	set_motion(motion.frequency_height, "frequency_height", metres, FREQUENCY_HEIGHT_RANGE);
+}
+
+double PlantFunction::get_frequency_height() const {
+	return shortest_decimal(motion.frequency_height);
+}
+
+void PlantFunction::set_frequency_deviation(double deviation) {
+	set_motion(motion.frequency_deviation, "frequency_deviation", deviation, FREQUENCY_DEVIATION_RANGE);
+}
+
+double PlantFunction::get_frequency_deviation() const {
+	return shortest_decimal(motion.frequency_deviation);
 }
 
 void PlantFunction::set_damping_ratio(double ratio) {
@@ -283,6 +301,8 @@ void PlantFunction::_validate_property(PropertyInfo &property) const {
 		{ "inner_friction", { Law::elasticity } },
 		{ "stays_above_ground", { Law::elasticity, Law::stem } },
 		{ "natural_frequency", { Law::spring, Law::stem } },
+		{ "frequency_height", { Law::stem } },
+		{ "frequency_deviation", { Law::stem } },
 		{ "damping_ratio", { Law::spring, Law::stem } },
 		{ "lean", { Law::spring, Law::stem } },
 		{ "mass", { Law::elasticity, Law::spring } },

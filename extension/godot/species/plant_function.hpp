@@ -146,6 +146,10 @@ public:
 	bool get_stays_above_ground() const;
 	void set_natural_frequency(double hertz);
 	double get_natural_frequency() const;
+	void set_frequency_height(double metres);
+	double get_frequency_height() const;
+	void set_frequency_deviation(double deviation);
+	double get_frequency_deviation() const;
 	void set_damping_ratio(double ratio);
 	double get_damping_ratio() const;
 	void set_lean(double radians);

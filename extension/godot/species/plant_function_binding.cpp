@@ -30,6 +30,10 @@ static void bind_motion_methods() {
 	ClassDB::bind_method(D_METHOD("get_stays_above_ground"), &PlantFunction::get_stays_above_ground);
 	ClassDB::bind_method(D_METHOD("set_natural_frequency", "hertz"), &PlantFunction::set_natural_frequency);
 	ClassDB::bind_method(D_METHOD("get_natural_frequency"), &PlantFunction::get_natural_frequency);
+	ClassDB::bind_method(D_METHOD("set_frequency_height", "metres"), &PlantFunction::set_frequency_height);
+	ClassDB::bind_method(D_METHOD("get_frequency_height"), &PlantFunction::get_frequency_height);
+	ClassDB::bind_method(D_METHOD("set_frequency_deviation", "deviation"), &PlantFunction::set_frequency_deviation);
+	ClassDB::bind_method(D_METHOD("get_frequency_deviation"), &PlantFunction::get_frequency_deviation);
 	ClassDB::bind_method(D_METHOD("set_damping_ratio", "ratio"), &PlantFunction::set_damping_ratio);
 	ClassDB::bind_method(D_METHOD("get_damping_ratio"), &PlantFunction::get_damping_ratio);
 	ClassDB::bind_method(D_METHOD("set_lean", "radians"), &PlantFunction::set_lean);
@@ -91,6 +95,9 @@ void PlantFunction::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "stays_above_ground"), "set_stays_above_ground", "get_stays_above_ground");
 	ADD_PROPERTY(number("natural_frequency", "0.05,10,0.01,or_greater,suffix:Hz"), "set_natural_frequency",
 			"get_natural_frequency");
+	ADD_PROPERTY(
+			number("frequency_height", "0,3,0.01,or_greater,suffix:m"), "set_frequency_height", "get_frequency_height");
+	ADD_PROPERTY(number("frequency_deviation", "0,0.3,0.01"), "set_frequency_deviation", "get_frequency_deviation");
 	ADD_PROPERTY(number("damping_ratio", "0,2,0.001,or_greater"), "set_damping_ratio", "get_damping_ratio");
 	ADD_PROPERTY(number("lean", "0,80,0.1,radians_as_degrees"), "set_lean", "get_lean");
 	ADD_PROPERTY(

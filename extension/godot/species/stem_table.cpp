@@ -75,8 +75,13 @@ UnsolvedStem StemTable::unsolved_for(float height, const Motion &motion, const R
 	StemRecipe &recipe = unsolved.recipe;
 	recipe.beam = drawn;
 	recipe.beam.length *= float(std::pow(HEIGHT_RATIO, unsolved.height_class));
+	if (motion.frequency_height > 0.0f && !is_physical) {
+		recipe.beam.length = std::clamp(motion.frequency_height, SHORTEST_STEM, LONGEST_STEM);
+		recipe.beam.frequency_by_length = true;
+	}
 	recipe.beam.natural_frequency = motion.natural_frequency;
 	recipe.beam.damping_ratio = motion.damping_ratio;
+	recipe.beam.frequency_deviation = motion.frequency_deviation;
 	if (stem.is_valid()) {
 		stem->write_to(recipe.beam);
 	}

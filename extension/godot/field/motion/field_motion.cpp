@@ -243,11 +243,13 @@ void FieldMotion::set_species(int index, const SpeciesStyle &style, const PlantS
 		}
 		std::vector<MotionPlant> plants;
 		style.to_simulate(chunk.plants, plants);
+		const PageRows &own = rows_of(number);
+		simulation->page(own.page).set_owns(own.first, plants.data(), own.count);
 		std::vector<glm::vec3> rests;
 		for (const MotionPlant &plant : plants) {
 			rests.push_back(plant.rest);
 		}
-		set_rests(rows_of(number), rests, is_still);
+		set_rests(own, rests, is_still);
 	}
 	fit_contact(touches);
 	if (is_still) {

@@ -332,7 +332,8 @@ static float simulated_length(float length) {
 }
 
 MotionPlant SpeciesStyle::to_simulate(const PlacedPlant &plant) const {
-	return { plant.root, simulated_length(length_of(plant)), rest_direction(plant, motion.lean) };
+	return { plant.root, simulated_length(length_of(plant)), rest_direction(plant, motion.lean), plant.scale,
+		own_of_root(plant.root) };
 }
 
 void SpeciesStyle::to_simulate(const FieldPlants &plants, std::vector<MotionPlant> &into) const {
@@ -340,7 +341,9 @@ void SpeciesStyle::to_simulate(const FieldPlants &plants, std::vector<MotionPlan
 	into.reserve(into.size() + size_t(plants.size()));
 	for (int i = 0; i < plants.size(); i++) {
 		const PlacedPlant plant = plants.plant(i);
-		into.push_back({ plant.root, simulated_length(length_of(plant)), rests.of(plant) });
+		into.push_back(
+				{ plant.root, simulated_length(length_of(plant)), rests.of(plant), plant.scale,
+				own_of_root(plant.root) });
 	}
 }
 
