@@ -44,7 +44,7 @@ func test_a_field_has_the_same_brightness_in_all_winds() -> void:
 	for name in ["fresh", "storm"]:
 		var shown := await _blown(field, name)
 		var change := _mean_of(shown) / calm - 1.0
-		check(absf(change) <= MAX_CHANGE, "%s: the mean changes by %.2f" % [name, change])
+		check(absf(change) <= MAX_CHANGE, "%s: the mean changes by %.3f" % [name, change])
 		style.set_shader_parameter(&"bent_brightness", 0.0)
 		await frames(10)  # Fields copy parameters in turns.
 		var even := await picture()

@@ -40,6 +40,8 @@ func test_ready_species_lean_in_the_winds_of_their_structure() -> void:
 		_plant.species = load(FOLDER + species + ".tres").duplicate()
 		_plant.species.lean = 0.0
 		_plant.species.damping_ratio = 0.5
+		_plant.species.frequency_deviation = 0.0
+		_plant.height = _plant.species.frequency_height
 		await frames(1)
 		for angle: float in [30.0, 60.0]:
 			var speed := SPEEDS[species].x if angle == 30.0 else SPEEDS[species].y

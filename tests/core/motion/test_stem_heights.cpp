@@ -131,6 +131,98 @@ TEST_CASE("stems with a given stiffness have the same frequency at other steps, 
 	}
 }
 
+TEST_CASE("a declared frequency by length is that of stems of this length, with one stiffness for all") {
+	StemBeam beam = stem_of(0.4, 0.5, 2.5);
+	beam.damping_ratio = 0.01f;
+	beam.frequency_by_length = true;
+	StemBeam stiff = beam;
+	stiff.natural_frequency = 0.0f;
+	stiff.youngs_modulus = static_cast<float>(solve_stem(beam).youngs_modulus);
+	const std::vector<float> ratios = { 0.8f, 1.0f, 1.2f };
+	MotionPage page = page_of(beam, ratios);
+	CHECK(frequency_of(page, 1) == doctest::Approx(2.0 * PI * 2.5).epsilon(WITHIN));
+	for (const int index : { 0, 2 }) {
+		const float ratio = ratios[static_cast<std::size_t>(index)];
+		CAPTURE(ratio);
+		const double expected = static_cast<double>(solved_at(stiff, ratio).mode[0].frequency);
+		CHECK(frequency_of(page, index) == doctest::Approx(expected).epsilon(WITHIN));
+	}
+}
+
+TEST_CASE("a scaled plant swings slower by its scale, bends less by a force, and as far in the air") {
+	StemBeam beam = stem_of(0.4, 0.5, 1.2);
+	beam.frequency_by_length = true;
+	beam.head_drag_area = 0.001f;
+	constexpr float SCALE = 1.3f;
+	MotionPlant usual, scaled;
+	usual.length = beam.length;
+	scaled.length = SCALE * beam.length;
+	scaled.scale = SCALE;
+	MotionPage page = page_of(beam, {});
+	page.add(&usual, 1);
+	page.add(&scaled, 1);
+	CHECK(frequency_of(page, 1) == doctest::Approx(frequency_of(page, 0) / static_cast<double>(SCALE)).epsilon(1e-3));
+	const auto slope = [&page](int index) { return page.direction(index).x / page.direction(index).y; };
+	for (const WindKind kind : { WindKind::constant, WindKind::air }) {
+		FieldWind wind;
+		wind.wind.kind = kind;
+		wind.wind.direction = static_cast<float>(0.5 * PI);
+		wind.wind.strength = 0.02f / solve_stem(beam).constants.dead_slope;
+		wind.air.speed = 1.5f;
+		page.settle();
+		apply_wind(page, wind, 6000);
+		const float expected = kind == WindKind::air ? 1.0f : 1.0f / (SCALE * SCALE);
+		CAPTURE(slope(0));
+		CHECK(std::fabs(slope(0)) > 1e-3f);
+		CHECK(slope(1) == doctest::Approx(expected * slope(0)).epsilon(0.02));
+	}
+}
+
+TEST_CASE("own frequencies spread by their deviation, and follow a plant when rows change") {
+	StemBeam beam = stem_of(0.4, 0.5, 1.2);
+	beam.damping_ratio = 0.01f;
+	beam.frequency_deviation = 0.1f;
+	std::vector<MotionPlant> plants(3);
+	for (std::size_t i = 0; i < plants.size(); i++) {
+		plants[i].length = 0.4f + 0.1f * static_cast<float>(i); // No effect without frequency_by_length.
+		plants[i].own = static_cast<float>(i) - 1.0f;
+	}
+	MotionPage page = page_of(beam, {});
+	page.add(plants.data(), 3);
+	const double edge = std::sqrt(3.0) * 0.1;
+	const auto is_at = [&page](int index, double factor) {
+		CHECK(frequency_of(page, index) == doctest::Approx(2.0 * PI * 1.2 * factor).epsilon(WITHIN));
+	};
+	is_at(0, 1.0 - edge);
+	is_at(1, 1.0);
+	is_at(2, 1.0 + edge);
+	page.remove(0); // The last one gets its row.
+	is_at(0, 1.0 + edge);
+	plants[1].own = -1.0f;
+	page.set_plant(1, plants[1]);
+	is_at(1, 1.0 - edge);
+	plants[0].own = 0.5f;
+	page.set_owns(1, plants.data(), 1);
+	is_at(1, 1.0 + 0.5 * edge);
+}
+
+TEST_CASE("own places of roots are uniform and independent of neighbours") {
+	double sum = 0.0, square = 0.0, product = 0.0, before = 0.0;
+	constexpr int COUNT = 10000;
+	for (int i = 0; i < COUNT; i++) {
+		const glm::vec3 root(0.13f * static_cast<float>(i % 100), 5.0f, 0.17f * static_cast<float>(i / 100));
+		const double own = static_cast<double>(own_of_root(root));
+		CHECK(std::fabs(own) <= 1.0);
+		sum += own / COUNT;
+		square += own * own / COUNT;
+		product += own * before / COUNT;
+		before = own;
+	}
+	CHECK(std::fabs(sum) < 0.03);
+	CHECK(square == doctest::Approx(1.0 / 3.0).epsilon(0.03));
+	CHECK(std::fabs(product) < 0.02);
+}
+
 TEST_CASE("heights have no effect with a declared frequency") {
 	const StemBeam beam = stem_of(0.4, 0.5, 1.2);
 	CHECK(!solve_stem(beam).constants.has_grades());

@@ -116,6 +116,7 @@ TEST_CASE("each invalid or out-of-range number has its own fault") {
 		{ &StemBeam::density, StemFault::density },
 		{ &StemBeam::drag_coefficient, StemFault::drag },
 		{ &StemBeam::natural_frequency, StemFault::frequency },
+		{ &StemBeam::frequency_deviation, StemFault::deviation },
 		{ &StemBeam::damping_ratio, StemFault::damping },
 		{ &StemBeam::head_mass, StemFault::head },
 		{ &StemBeam::head_centre, StemFault::head },
