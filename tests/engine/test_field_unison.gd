@@ -15,7 +15,6 @@ func test_wheat_after_a_blow_does_not_swing_in_unison() -> void:
 	await rested()
 	var tips := await _blow()
 	var found := _swings(tips)
-	print("UNISON ", found)
 	check(found.count > 400, "%d plants" % found.count)
 	check(found.deviation > DEVIATION, "deviation of frequencies is %f" % found.deviation)
 	check(
