@@ -53,7 +53,9 @@ func test_mown_plants_have_no_skeleton() -> void:
 
 
 func test_parts_of_a_turned_plant_swing_as_those_of_another() -> void:
-	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres").duplicate()
+	var species: PlantFunction = (
+		load("res://addons/undergrowth/species/garden_tulip.tres").duplicate()
+	)
 	species.frequency_deviation = 0.0
 	var camera := _watch(species, Vector2(4, 4), 2)
 	field.density = 0.0

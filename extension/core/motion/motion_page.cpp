@@ -181,7 +181,8 @@ void MotionPage::remove(int index) {
 bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 	return species.law == kind.law &&
 			(kind.law != Law::stem ||
-					(species.stem.modes == whole.modes && species.stem.has_own_frequencies() == whole.has_own_frequencies() &&
+					(species.stem.modes == whole.modes &&
+							species.stem.has_own_frequencies() == whole.has_own_frequencies() &&
 							species.stem.mode[0].tip_slope == whole.mode[0].tip_slope));
 }
 
@@ -318,7 +319,8 @@ void MotionPage::update_box() {
 
 std::size_t MotionPage::bytes() const {
 	return rows.bytes() + blocks.capacity() * sizeof(BlockBox) +
-			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + owns.capacity() * sizeof(OwnStem) + ahead.bytes() + sizeof(MotionPage);
+			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + owns.capacity() * sizeof(OwnStem) +
+			ahead.bytes() + sizeof(MotionPage);
 }
 
 /// Moves a state to another rest direction, at the same distance from it in the plane of the spring law.

@@ -186,8 +186,8 @@ public:
 	/// Changes the rest directions (unit, as MotionPlant::rest) of `count` plants from `first` on; plants swing there.
 	/// No effect under the elasticity law.
 	void set_rests(int first, const glm::vec3 *rests, int count);
-	/// Sets scale and `own` of `count` plants from `first` on. Without it plants have the default ones after a change to
-	/// a species with own frequencies.
+	/// Sets scale and `own` of `count` plants from `first` on. Without it plants have the default ones after a change
+	/// to a species with own frequencies.
 	void set_owns(int first, const MotionPlant *plants, int count);
 	/// Changes the step length (s) without interrupting the motion. Allocates nothing.
 	void set_step_length(float step);

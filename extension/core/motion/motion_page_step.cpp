@@ -64,7 +64,8 @@ void MotionPage::update_stems(int begin, int end) {
 	max_load_scale = is_all ? 0.0f : max_load_scale;
 	if (is_graded()) {
 		const StemGrades own = grades(begin);
-		const float quick = stem_grades(kind.stem, step_time, { lengths() + begin, owns.data() + begin, end - begin }, own);
+		const float quick =
+				stem_grades(kind.stem, step_time, { lengths() + begin, owns.data() + begin, end - begin }, own);
 		fastest = is_all ? quick : std::max(fastest, quick);
 		stems.softness *= fastest * fastest;
 		for (int i = begin; i < end; i++) {

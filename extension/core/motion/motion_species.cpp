@@ -34,8 +34,8 @@ float own_of_root(const glm::vec3 &root) {
 }
 
 bool is_valid(const MotionPlant &plant) {
-	return std::fabs(plant.own) <= 1.0f && std::isfinite(plant.scale) && plant.scale > 0.0f && is_finite(plant.root) && std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) &&
-			plant.rest.y > 0.0f;
+	return std::fabs(plant.own) <= 1.0f && std::isfinite(plant.scale) && plant.scale > 0.0f && is_finite(plant.root) &&
+			std::isfinite(plant.length) && plant.length > 0.0f && is_finite(plant.rest) && plant.rest.y > 0.0f;
 }
 
 } // namespace undergrowth

@@ -32,7 +32,8 @@ struct StemGrades {
 };
 
 /// Fills in the columns. A plant with another frequency than its size gives has another stiffness, so loads bend it
-/// differently. Scaled plants have the same proportions; the change of gravity's effect is left out. Returns the highest frequency relative to the species', at least 1.
+/// differently. Scaled plants have the same proportions; the change of gravity's effect is left out. Returns the
+/// highest frequency relative to the species', at least 1.
 float stem_grades(const StemConstants &stem, float step, const OwnStems &plants, const StemGrades &to);
 
 /// StemPage::scale of plants with each of `count` lengths (m); 1 for removed plants (length 0).

@@ -191,7 +191,8 @@ glm::vec3 Plant3D::rest() const {
 
 MovedPlant Plant3D::moved() const {
 	return { kind_of_motion(), wind, force_settings(), plant_transform.root, rest(),
-		plant_transform.length_of(view.height()), std::max(plant_transform.scale_along, MIN_SCALE), signed_noise(uint64_t(seed), 0) };
+		plant_transform.length_of(view.height()), std::max(plant_transform.scale_along, MIN_SCALE),
+		signed_noise(uint64_t(seed), 0) };
 }
 
 // Many properties may change in one frame. The mesh is built once, at the end of the frame.

@@ -170,7 +170,8 @@ TEST_CASE("a scaled plant swings slower by its scale, bends less by a force, and
 	page.set_species(in_canopy(beam)); // All plants have the wind of its top.
 	page.add(&usual, 1);
 	page.add(&scaled, 1);
-	CHECK(frequency_of(page, 1) == doctest::Approx(frequency_of(page, 0) / static_cast<double>(SCALE)).epsilon(1e-3).scale(0.0));
+	CHECK(frequency_of(page, 1) ==
+			doctest::Approx(frequency_of(page, 0) / static_cast<double>(SCALE)).epsilon(1e-3).scale(0.0));
 	const auto slope = [&page](int index) { return page.direction(index).x / page.direction(index).y; };
 	for (const WindKind kind : { WindKind::constant, WindKind::air }) {
 		FieldWind wind;

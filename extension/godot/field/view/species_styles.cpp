@@ -341,8 +341,7 @@ void SpeciesStyle::to_simulate(const FieldPlants &plants, std::vector<MotionPlan
 	into.reserve(into.size() + size_t(plants.size()));
 	for (int i = 0; i < plants.size(); i++) {
 		const PlacedPlant plant = plants.plant(i);
-		into.push_back(
-				{ plant.root, simulated_length(length_of(plant)), rests.of(plant), plant.scale,
+		into.push_back({ plant.root, simulated_length(length_of(plant)), rests.of(plant), plant.scale,
 				own_of_root(plant.root) });
 	}
 }
