@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace undergrowth {
 
@@ -44,6 +46,38 @@ StemModeStep mode_step(const StemMode &mode, float step) {
 	return made;
 }
 
+/// Steps of a mode at frequencies that are rounded to 0.4 %, so that most plants of a page share one of a few hundred.
+class ModeSteps {
+public:
+	/// Rounds a factor of the frequency to 8 bits behind the first.
+	static float rounded(float relative) {
+		uint32_t bits;
+		std::memcpy(&bits, &relative, sizeof bits);
+		bits = (bits + (1u << (SHIFT - 1))) & ~((1u << SHIFT) - 1);
+		std::memcpy(&relative, &bits, sizeof bits);
+		return relative;
+	}
+	/// Returns the step of `mode` at a rounded factor, > 0, of its frequency.
+	const StemModeStep &of(const StemMode &mode, float relative, float step) {
+		uint32_t bits;
+		std::memcpy(&bits, &relative, sizeof bits);
+		const uint32_t place = (bits >> SHIFT) % SIZE;
+		if (relatives[place] != relative) {
+			StemMode own = mode;
+			own.frequency *= relative;
+			relatives[place] = relative;
+			steps[place] = mode_step(own, step);
+		}
+		return steps[place];
+	}
+
+private:
+	static constexpr int SHIFT = 15; // Bits of a float that are rounded off.
+	static constexpr uint32_t SIZE = 512; // Two octaves.
+	float relatives[SIZE] = {};
+	StemModeStep steps[SIZE]; // Valid where `relatives` is not 0.
+};
+
 /// Of a first mode with this share of the tip's bend.
 StemTip tip_of(float share, float step) {
 	StemTip tip;
@@ -76,6 +110,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 
 float stem_grades(const StemConstants &stem, float step, const OwnStems &plants, const StemGrades &to) {
 	const bool is_by_length = stem.has_grades();
+	ModeSteps known[MAX_STEM_MODES];
 	float fastest = 1.0f;
 	for (int i = 0; i < plants.count; i++) {
 		const float length = plants.lengths[i];
@@ -87,10 +122,10 @@ float stem_grades(const StemConstants &stem, float step, const OwnStems &plants,
 		to.dead_ease[i] = softness * std::max(stem.dead_grade.at(ratio), MIN_GRADE) / (scale * scale);
 		to.air_ease[i] = softness * std::max(stem.air_grade.at(ratio), MIN_GRADE);
 		for (int k = 0; k < stem.modes; k++) {
-			StemMode own = stem.mode[k];
-			own.frequency *= pace / (scale * std::max(own.period.at(ratio), MIN_GRADE));
-			fastest = std::max(fastest, own.frequency / stem.mode[k].frequency);
-			const StemModeStep made = mode_step(own, step);
+			const float period = scale * std::max(stem.mode[k].period.at(ratio), MIN_GRADE);
+			const float relative = ModeSteps::rounded(pace / period);
+			fastest = std::max(fastest, relative);
+			const StemModeStep &made = known[k].of(stem.mode[k], relative, step);
 			to.by_height[k][0][i] = made.place_from_place;
 			to.by_height[k][1][i] = made.place_from_rate;
 			to.by_height[k][2][i] = made.rate_from_place;
