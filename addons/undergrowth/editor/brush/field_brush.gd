@@ -24,7 +24,10 @@ var _bar: BrushBar
 var _settings: BrushSettings
 var _circle: BrushCircle
 var _pointer := BrushPointer.new()
-var _is_circle_due := false
+# True if the pointer has moved since the last frame.
+var _has_moved := false
+# Of the last move with the pen down, until the stroke follows it.
+var _pressure := 0.0
 # The values of the last update of the circle.
 var _drawn_circle: Array = []
 var _field: PlantField3D
@@ -99,15 +102,11 @@ func handle(camera: Camera3D, event: InputEvent) -> bool:
 	if not motion:
 		return false
 	_pointer.move_to(camera, motion)
-	_show_circle_soon()
 	var pressure := _pen.read(motion)
-	if not _stroke:
-		return false
-	var place: Variant = _pointer.find_place(_field)
-	if place is Vector3 and pressure > 0.0:
-		_touch_first(pressure)
-		_stroke.move_to(place, pressure)
-	return true
+	if _stroke and pressure > 0.0:
+		_pressure = pressure
+	_follow_pointer_soon()
+	return _stroke != null
 
 
 func _handle_key(key: InputEventKey) -> bool:
@@ -149,6 +148,7 @@ func _begin_stroke(place: Vector3, tool: BrushOptions.Tool, smooths: bool) -> vo
 	var new_entry := _choice.take_new_entry() if paints else null
 	_settings.show_message("")
 	_stroke = BrushStroke.new(_field, options, tool, smooths, new_entry)
+	_pressure = 0.0
 	_waits_for = place
 	if not _pen.begin():
 		_touch_first(1.0)
@@ -191,6 +191,7 @@ func _pick(place: Vector3) -> void:
 func end_stroke() -> void:
 	if not _stroke:
 		return
+	_move_stroke()
 	var stroke := _stroke
 	_touch_first(1.0)
 	_stroke = null
@@ -222,14 +223,31 @@ func _on_history_changed() -> void:
 
 
 # Once per frame, for any number of pointer events.
-func _show_circle_soon() -> void:
-	if not _is_circle_due:
-		_is_circle_due = true
-		_plugin.get_tree().process_frame.connect(_show_circle, CONNECT_ONE_SHOT)
+func _follow_pointer_soon() -> void:
+	if not _has_moved:
+		_has_moved = true
+		_plugin.get_tree().process_frame.connect(_follow_pointer, CONNECT_ONE_SHOT)
+
+
+func _follow_pointer() -> void:
+	_has_moved = false
+	_move_stroke()
+	_show_circle()
+
+
+# Moves the stroke to the pointer if the pointer has moved with the pen down.
+func _move_stroke() -> void:
+	if not _stroke or _pressure <= 0.0 or not _field.is_inside_tree():
+		return
+	var pressure := _pressure
+	_pressure = 0.0
+	var place: Variant = _pointer.find_place(_field)
+	if place is Vector3:
+		_touch_first(pressure)
+		_stroke.move_to(place, pressure)
 
 
 func _show_circle() -> void:
-	_is_circle_due = false
 	if not _circle or not _field or options.tool == BrushOptions.Tool.NONE:
 		return
 	var tool := options.tool_with(_pointer.is_ctrl_pressed)
