@@ -103,6 +103,11 @@ func _forward_3d_gui_input(camera: Camera3D, event: InputEvent) -> int:
 	return AFTER_GUI_INPUT_STOP if is_ours else AFTER_GUI_INPUT_PASS
 
 
+func _forward_3d_draw_over_viewport(overlay: Control) -> void:
+	if _brush:
+		_brush.call(&"draw_over", overlay)
+
+
 # The editor calls this before it shows another scene, and before it saves.
 func _get_state() -> Dictionary:
 	if _brush:

@@ -2,6 +2,7 @@
 extends "brush_test.gd"
 ## Painted densities of species that the field already contains, and their display in the settings.
 
+const DensitySlider := preload("res://addons/undergrowth/editor/brush/density_slider.gd")
 const POPPY := "Poppy"
 const GRASS_LAYER := "Meadow Grass"
 const SPECIES := "res://addons/undergrowth/species/%s.tres"
@@ -22,8 +23,11 @@ func test_a_density_is_painted_in_plants_per_square_metre() -> void:
 	_species_button(POPPY).button_pressed = true
 	check(absf(_density().value - DENSITY * 3.0 / 63.0) < 0.01, "as mixed: %f" % _density().value)
 	check_equal(_density().max_value, DENSITY, "the slider's end")
+	var slider := _density() as DensitySlider
+	check(absf(slider.mark - slider.value) < 0.01, "the slider's mark: %f" % slider.mark)
 	_density().value = 5.0
 	check(not _as_mixed().button_pressed, "no longer as mixed")
+	check(absf(slider.mark - DENSITY * 3.0 / 63.0) < 0.01, "the mark then: %f" % slider.mark)
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	await _rested(field)
 	var poppies := _density_in_stroke(field, true)
@@ -33,6 +37,7 @@ func test_a_density_is_painted_in_plants_per_square_metre() -> void:
 	check(absf(all - DENSITY) < 0.5, "%f plants/m²" % all)
 	check_equal(_count_beside(field), before, "plants beside the stroke")
 	check_equal(_reported(), "", "what the bar says")
+	await take_picture("brush_density")
 	var painted := [field.map.data, field.get_plant_ids()]
 	await undo()
 	await _rested(field)

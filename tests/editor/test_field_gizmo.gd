@@ -3,6 +3,8 @@ extends "viewport_test.gd"
 ## Fields in the editor's viewport: their border, and the handles for their size.
 
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
+## Of the transform gizmo of the first 3D view.
+const TRANSFORM_LAYER := 1 << 27
 const GIZMO_SCRIPT := "res://addons/undergrowth/editor/gizmo/field_gizmos.gd"
 
 
@@ -156,7 +158,12 @@ func test_a_field_has_no_handles_while_a_tool_of_the_brush_is_on() -> void:
 	check_equal(field.size, Vector2(5, 4), "size after drags with the brush")
 	check_equal(field.position, Vector3.ZERO, "position after drags with the brush")
 	check(not gizmo.get_plugin().call(&"_has_handles", field), "it has no handles")
+	var camera := EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
+	var shown := camera.cull_mask
+	await take_picture("brush_gizmo")
 	await click(tool)
+	check_equal(camera.cull_mask, shown | TRANSFORM_LAYER, "layers of the view without the brush")
+	check(shown & TRANSFORM_LAYER == 0, "the transform gizmo is hidden with the brush")
 	await frames(5)
 	await drag(_view(), from, _place_of(field, Vector3(-3.5, 0, 0)))
 	check(field.size.x > 5.5, "size after a drag without the brush: %s" % field.size)
