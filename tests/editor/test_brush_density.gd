@@ -37,7 +37,6 @@ func test_a_density_is_painted_in_plants_per_square_metre() -> void:
 	check(absf(all - DENSITY) < 0.5, "%f plants/m²" % all)
 	check_equal(_count_beside(field), before, "plants beside the stroke")
 	check_equal(_reported(), "", "what the bar says")
-	await take_picture("brush_density")
 	var painted := [field.map.data, field.get_plant_ids()]
 	await undo()
 	await _rested(field)
