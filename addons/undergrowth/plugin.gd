@@ -9,7 +9,8 @@ const ICONS := "icons"
 const DOCK_ICON := "icons/PlantFunction.svg"
 const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
-const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", "editor/gizmo/field_gizmos.gd"]
+const FIELD_GIZMOS := "editor/gizmo/field_gizmos.gd"
+const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", FIELD_GIZMOS]
 const BRUSH := "editor/brush/field_brush.gd"
 const GROUND_WATCH := "editor/field/ground_watch.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
@@ -102,6 +103,11 @@ func _forward_3d_gui_input(camera: Camera3D, event: InputEvent) -> int:
 	return AFTER_GUI_INPUT_STOP if is_ours else AFTER_GUI_INPUT_PASS
 
 
+func _forward_3d_draw_over_viewport(overlay: Control) -> void:
+	if _brush:
+		_brush.call(&"draw_over", overlay)
+
+
 # The editor calls this before it shows another scene, and before it saves.
 func _get_state() -> Dictionary:
 	if _brush:
@@ -163,6 +169,7 @@ func _add_helpers() -> void:
 	_add_gizmos()
 	_brush = (_load(BRUSH) as GDScript).new()
 	_brush.call(&"setup", self, _dock.get_child(0).get(&"state"))
+	_gizmos[GIZMOS.find(FIELD_GIZMOS)].set(&"brush_options", _brush.get(&"options"))
 	_ground_watch = (_load(GROUND_WATCH) as GDScript).new()
 	_ground_watch.call(&"setup", self)
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()

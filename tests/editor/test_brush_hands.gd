@@ -2,6 +2,10 @@
 extends "brush_test.gd"
 ## Effects of modifier keys and pens on strokes of the brush.
 
+const BrushOptions := preload("res://addons/undergrowth/editor/brush/brush_options.gd")
+const BrushReadout := preload("res://addons/undergrowth/editor/brush/brush_readout.gd")
+const Translations := preload("res://addons/undergrowth/editor/translations/translations.gd")
+const TULIP := "Tulip"
 ## Painting ends between the two rows of cells along it.
 const EDGE := Vector3(0, 0, 1)
 
@@ -15,6 +19,70 @@ func test_ctrl_erases_while_it_paints() -> void:
 	check_equal(_history().get_current_action_name(), tr("Erase Plants"), "the step's name")
 	check(field.map.get_density(Vector3.ZERO, GRASS) < 0.6, "fewer plants under the brush")
 	check((_bar().get_node("%Paint") as Button).button_pressed, "it paints again without Ctrl")
+
+
+func test_ctrl_and_shift_erase_all_species() -> void:
+	var field := await _edited_field()
+	await _choose_only(field.get_parent())
+	field.species = [field.species[0], PlantFieldSpecies.of(TulipFunction.new())]
+	await _choose_only(field)
+	await _rested(field)
+	await _choose_tool("Paint")
+	_sharpen(0.5)
+	_species_button(GRASS).button_pressed = true
+	var other := Vector3(0, 0, 1.6)
+	holds_ctrl = true
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check_equal(field.map.get_density(Vector3.ZERO, GRASS), 0.0, "the chosen species with Ctrl")
+	check_equal(field.map.get_density(Vector3.ZERO, TULIP), 1.0, "another species with Ctrl")
+	holds_shift = true
+	await click(_view(), _place_of(field, other))
+	holds_ctrl = false
+	holds_shift = false
+	check_equal(_history().get_current_action_name(), tr("Erase Plants"), "the step's name")
+	check_equal(field.map.get_density(other, GRASS), 0.0, "the chosen species with Shift too")
+	check_equal(field.map.get_density(other, TULIP), 0.0, "another species with Shift too")
+	_species_button(GRASS).button_pressed = false
+	await _choose_tool("Paint")
+
+
+func test_ctrl_and_the_wheel_change_the_radius() -> void:
+	var field := await _edited_field()
+	await _choose_tool("Paint")
+	var radius := _settings().get_node("%Radius") as EditorSpinSlider
+	var before := radius.value
+	var camera := EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
+	var seen_from := camera.global_transform
+	holds_ctrl = true
+	await wheel(_view(), 2)
+	check(absf(radius.value - before * 1.44) < 0.06, "radius: %f" % radius.value)
+	await wheel(_view(), -2)
+	holds_ctrl = false
+	await frames(20)
+	check(absf(radius.value - before) < 0.06, "radius then: %f" % radius.value)
+	check_equal(camera.global_transform, seen_from, "the view")
+	check(field.map == null, "nothing is painted")
+	await _choose_tool("Paint")
+
+
+func test_numbers_beside_the_pointer() -> void:
+	var field := await _edited_field()
+	var names: PackedStringArray = [GRASS]
+	var options := BrushOptions.new()
+	var describe := func(tool: BrushOptions.Tool, point: Vector3) -> String:
+		return BrushReadout.describe(field, options, tool, names, point)
+	var mixed := String.num(field.density, 2)
+	var unit := Translations.text("%s plants/m²")
+	var paint := BrushOptions.Tool.PAINT
+	check_equal(describe.call(paint, Vector3.ZERO), "2.0 m\n" + unit % mixed, "without a map")
+	check_equal(describe.call(paint, Vector3(9, 0, 0)), "2.0 m\n" + unit % "0.0", "beside it")
+	field.map = PlantMap.new()
+	field.map.paint_plants(Vector3.ZERO, 1.0, GRASS, 3.0, 1.0, 0.0)
+	field.map.paint_height(Vector3.ZERO, 1.0, GRASS, 1.5, 1.0, 0.0)
+	var text: String = describe.call(paint, Vector3.ZERO)
+	check_equal(text, "2.0 m\n" + unit % "3.0", "plants of a map")
+	check_equal(describe.call(BrushOptions.Tool.HEIGHT, Vector3.ZERO), "2.0 m\n× 1.5", "height")
+	check_equal(describe.call(BrushOptions.Tool.PICK, Vector3.ZERO), unit % "3.0", "pick")
 
 
 func test_shift_smooths() -> void:

@@ -2,6 +2,11 @@
 extends "viewport_test.gd"
 ## Fields in the editor's viewport: their border, and the handles for their size.
 
+const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
+## Of the transform gizmo of the first 3D view.
+const TRANSFORM_LAYER := 1 << 27
+const GIZMO_SCRIPT := "res://addons/undergrowth/editor/gizmo/field_gizmos.gd"
+
 
 func test_click_into_its_area_selects_a_field() -> void:
 	var field := await _open_field()
@@ -137,3 +142,48 @@ func test_a_painted_field_has_no_handles_for_its_size() -> void:
 	await frames(5)
 	await drag(_view(), from, _place_of(field, Vector3(-3.5, 0, 0)))
 	check(field.size.x > 5.5, "size after a drag without a map: %s" % field.size)
+
+
+func test_a_field_has_no_handles_while_a_tool_of_the_brush_is_on() -> void:
+	var field := await _open_field()
+	field.size = Vector2(5, 4)
+	await _choose_only(field)
+	var tool := find_by_script(BAR_SCRIPT).get_node("%Pick") as Button
+	await click(tool)
+	await frames(5)
+	var gizmo := _gizmo_of(field)
+	var from := _place_of(field, Vector3(-2.5, 0, 0))
+	await drag(_view(), from, _place_of(field, Vector3(-3.5, 0, 0)))
+	await drag(_view(), _place_of(field, Vector3.ZERO), _place_of(field, Vector3(1, 0, 0)))
+	check_equal(field.size, Vector2(5, 4), "size after drags with the brush")
+	check_equal(field.position, Vector3.ZERO, "position after drags with the brush")
+	check(not gizmo.get_plugin().call(&"_has_handles", field), "it has no handles")
+	var camera := EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
+	var shown := camera.cull_mask
+	await click(tool)
+	check_equal(camera.cull_mask, shown | TRANSFORM_LAYER, "layers of the view without the brush")
+	check(shown & TRANSFORM_LAYER == 0, "the transform gizmo is hidden with the brush")
+	await frames(5)
+	await drag(_view(), from, _place_of(field, Vector3(-3.5, 0, 0)))
+	check(field.size.x > 5.5, "size after a drag without the brush: %s" % field.size)
+
+
+func test_the_size_is_shown_in_metres() -> void:
+	var field := await _open_field()
+	field.size = Vector2(19, 16.25)
+	await _choose_only(field)
+	var gizmo := _gizmo_of(field)
+	var plugin := gizmo.get_plugin()
+	var title: String = plugin.call(&"_get_handle_name", gizmo, 0, false)
+	var value: String = plugin.call(&"_get_handle_value", gizmo, 0, false)
+	check_equal("%s: %s" % [title, value], tr("Size") + ": 19.0 × 16.25 m", "what the view shows")
+
+
+func _gizmo_of(field: PlantField3D) -> EditorNode3DGizmo:
+	for gizmo in field.get_gizmos():
+		var own := gizmo as EditorNode3DGizmo
+		var plugin := own.get_plugin() if own else null
+		var script := plugin.get_script() as Script if plugin else null
+		if script and script.resource_path == GIZMO_SCRIPT:
+			return own
+	return null

@@ -63,16 +63,14 @@ func show_at(
 # Points of the outer circle on the ground.
 static func _find_places(field: PlantField3D, middle: Vector3, radius: float) -> PackedVector3Array:
 	var reach := maxf(radius * REACH, MIN_REACH)
-	var plane := Plane(Vector3.UP, middle.y)
-	var places := PackedVector3Array()
+	var tops := PackedVector3Array()
 	for i in POINTS:
 		var out := Vector3.RIGHT.rotated(Vector3.UP, TAU * i / POINTS) * radius
-		var above := middle + out + Vector3.UP * reach
-		var met: Variant = BrushGround.find(field, above, Vector3.DOWN, plane)
-		var place: Vector3 = met if met is Vector3 else middle + out
-		if place.y < middle.y - reach:
-			place.y = middle.y  # Beyond an edge.
-		places.append(place)
+		tops.append(middle + out + Vector3.UP * reach)
+	var places := BrushGround.find_below(field, tops, 2.0 * reach)
+	for i in POINTS:
+		if not places[i].is_finite() or places[i].y < middle.y - reach:  # Beyond an edge.
+			places[i] = Vector3(tops[i].x, middle.y, tops[i].z)
 	return places
 
 

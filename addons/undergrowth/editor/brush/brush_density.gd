@@ -37,8 +37,14 @@ static func divide(
 	return parts
 
 
-## Returns the density of the species called [param title] in the map of [param field] at
-## [param point], in the field's own axes.
+## Returns the density of the species called [param title] at [param point], in the own axes of
+## [param field]: that of its map, or without a map that of its area.
 static func at(field: PlantField3D, title: String, point: Vector3) -> float:
+	if not field.map:
+		var corners: PackedVector2Array = []
+		for corner in field.get_outline_points():
+			corners.append(Vector2(corner.x, corner.z))
+		var place := Vector2(point.x, point.z)
+		return of_mix(field, title) if Geometry2D.is_point_in_polygon(place, corners) else 0.0
 	var share := field.map.get_density(point, title)
 	return share * of_mix(field, title) + field.map.get_plant_density(point, title)

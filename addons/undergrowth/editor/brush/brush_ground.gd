@@ -23,6 +23,26 @@ static func find(field: PlantField3D, from: Vector3, direction: Vector3, plane: 
 	return met if met is Vector3 else Ground.find_seen(field.get_world_3d(), from, direction, plane)
 
 
+## Returns the ground of [param field] below each of [param tops], or Vector3.INF where rays of
+## [param depth] metres meet none.
+static func find_below(
+	field: PlantField3D, tops: PackedVector3Array, depth: float
+) -> PackedVector3Array:
+	ray_count += tops.size()
+	var terrain := find_object(field)
+	if not terrain:
+		return Ground.find_below(field.get_world_3d(), tops, depth)
+	var places := PackedVector3Array()
+	for top in tops:
+		var met: Variant = find_on(terrain, top, Vector3.DOWN)
+		places.append(met if met is Vector3 else Vector3.INF)
+	if places.has(Vector3.INF):  # Other ground can close a hole.
+		var others := Ground.find_below(field.get_world_3d(), tops, depth)
+		for i in places.size():
+			places[i] = places[i] if places[i].is_finite() else others[i]
+	return places
+
+
 ## Returns the ground object of [param field], or null if it uses another ground.
 static func find_object(field: PlantField3D) -> Object:
 	var path := field.ground_object

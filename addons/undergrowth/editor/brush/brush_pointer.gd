@@ -22,6 +22,16 @@ func move_to(camera: Camera3D, event: InputEventMouse) -> void:
 	is_ctrl_pressed = event.ctrl_pressed
 
 
+## Returns the position of the pointer in its 3D view.
+func get_point() -> Vector2:
+	return _point
+
+
+## True if [param overlay] covers the 3D view of the pointer.
+func is_over(overlay: Control) -> bool:
+	return is_instance_valid(_camera) and overlay.get_parent().is_ancestor_of(_camera)
+
+
 ## The values that determine the result of a ray through the pointer.
 func get_sight() -> Array:
 	if not is_instance_valid(_camera):

@@ -5,6 +5,7 @@ extends MarginContainer
 
 const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
+const DensitySlider := preload("density_slider.gd")
 const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
 
@@ -26,7 +27,7 @@ var _new_layer := ""
 @onready var _radius: EditorSpinSlider = %Radius
 @onready var _strength: EditorSpinSlider = %Strength
 @onready var _falloff: EditorSpinSlider = %Falloff
-@onready var _density: EditorSpinSlider = %Density
+@onready var _density: DensitySlider = %Density
 @onready var _as_mixed: Button = %AsMixed
 @onready var _plant_height: EditorSpinSlider = %PlantHeight
 @onready var _message: Label = %Message
@@ -87,6 +88,11 @@ func show_message(text: String) -> void:
 	_message.visible = not text.is_empty()
 
 
+## Returns the layers that these settings paint.
+func get_painted_names() -> PackedStringArray:
+	return _options.species if _options.species else _names
+
+
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_TRANSLATION_CHANGED and _options:
 		_translate()
@@ -141,11 +147,6 @@ func _choose(title: String, is_on: bool) -> void:
 	_options.species = chosen
 
 
-# Returns the layers that these settings paint.
-func _painted_names() -> PackedStringArray:
-	return _options.species if _options.species else _names
-
-
 # The slider ends at the total density of all species, which is the maximum of the field.
 func _show_density() -> void:
 	var is_shown := _options.tool == BrushOptions.Tool.PAINT
@@ -156,8 +157,9 @@ func _show_density() -> void:
 		return
 	_density.set_value_no_signal(0.0)  # Without it a lower maximum would count as a new value.
 	_density.max_value = maxf(BrushDensity.sum_of_mix(_field, _names), _density.step)
-	var mixed := BrushDensity.sum_of_mix(_field, _painted_names())
+	var mixed := BrushDensity.sum_of_mix(_field, get_painted_names())
 	_density.set_value_no_signal(mixed if _options.is_as_mixed else _options.density)
+	_density.mark = mixed
 	_as_mixed.tooltip_text = (
 		tr("Paint the density of the field's mix: %s plants/m².") % String.num(mixed, 2)
 	)
@@ -185,5 +187,6 @@ func _translate() -> void:
 	_strength.label = tr("Strength")
 	_falloff.label = tr("Falloff")
 	_density.label = tr("Density")
+	_density.suffix = tr("plants/m²")
 	_plant_height.label = tr("Height")
 	_menu.show_painted(_options.species)

@@ -16,6 +16,8 @@ var _field: PlantField3D
 var _options: BrushOptions
 var _tool: BrushOptions.Tool
 var _smooths: bool
+# Chosen layers. Empty: all of the field.
+var _species: PackedStringArray = []
 var _map: PlantMap
 var _before: PlantMap
 var _is_new := false
@@ -33,12 +35,14 @@ func _init(
 	options: BrushOptions,
 	tool: BrushOptions.Tool,
 	smooths: bool,
+	species: PackedStringArray,
 	new_entry: PlantFieldSpecies = null
 ) -> void:
 	_field = field
 	_options = options
 	_tool = tool
 	_smooths = smooths
+	_species = species
 	_species_before = field.species
 	_density_before = field.density
 	if field.species.is_empty():
@@ -73,7 +77,7 @@ func explain() -> String:
 	if _last == Vector3.INF:
 		return ""
 	var names := Translations.text("All species")
-	if _options.species and _names:
+	if _species and _names:
 		names = ", ".join(_names)
 	if not _rect.has_area():
 		return _explain_nothing(names)
@@ -139,11 +143,11 @@ func _make_map() -> PlantMap:
 # Returns the chosen layers of the field, or all if none is chosen.
 func _choose_names() -> PackedStringArray:
 	var names := FieldEntries.layers_of(_field)
-	if _options.species.is_empty():
+	if _species.is_empty():
 		return names
 	var chosen: PackedStringArray = []
 	for title in names:
-		if title in _options.species:
+		if title in _species:
 			chosen.append(title)
 	return chosen
 

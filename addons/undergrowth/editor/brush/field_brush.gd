@@ -8,11 +8,13 @@ const BrushChoice := preload("brush_choice.gd")
 const BrushDensity := preload("brush_density.gd")
 const BrushCircle := preload("brush_circle.gd")
 const BrushOptions := preload("brush_options.gd")
+const BrushReadout := preload("brush_readout.gd")
 const BrushSettings := preload("brush_settings.gd")
 const BrushStroke := preload("brush_stroke.gd")
 const BrushPointer := preload("brush_pointer.gd")
 const FieldPlacing := preload("../field/field_placing.gd")
 const PenPressure := preload("pen_pressure.gd")
+const TransformGizmo := preload("transform_gizmo.gd")
 
 const BAR_SCENE := "brush_bar.tscn"
 const SETTINGS_SCENE := "brush_settings.tscn"
@@ -24,7 +26,10 @@ var _bar: BrushBar
 var _settings: BrushSettings
 var _circle: BrushCircle
 var _pointer := BrushPointer.new()
-var _is_circle_due := false
+# True if the pointer has moved since the last frame.
+var _has_moved := false
+# Of the last move with the pen down, until the stroke follows it.
+var _pressure := 0.0
 # The values of the last update of the circle.
 var _drawn_circle: Array = []
 var _field: PlantField3D
@@ -67,6 +72,7 @@ func close() -> void:
 	_plugin.remove_control_from_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
 	_settings.queue_free()
 	_circle = null
+	TransformGizmo.set_visible(true)
 
 
 ## Sets the edited field, or none if [param field] is null.
@@ -99,15 +105,11 @@ func handle(camera: Camera3D, event: InputEvent) -> bool:
 	if not motion:
 		return false
 	_pointer.move_to(camera, motion)
-	_show_circle_soon()
 	var pressure := _pen.read(motion)
-	if not _stroke:
-		return false
-	var place: Variant = _pointer.find_place(_field)
-	if place is Vector3 and pressure > 0.0:
-		_touch_first(pressure)
-		_stroke.move_to(place, pressure)
-	return true
+	if _stroke and pressure > 0.0:
+		_pressure = pressure
+	_follow_pointer_soon()
+	return _stroke != null
 
 
 func _handle_key(key: InputEventKey) -> bool:
@@ -115,9 +117,9 @@ func _handle_key(key: InputEventKey) -> bool:
 		return false
 	match key.keycode:
 		KEY_BRACKETLEFT:
-			options.radius /= BrushOptions.RADIUS_FACTOR
+			_scale_radius(1.0 / BrushOptions.RADIUS_FACTOR)
 		KEY_BRACKETRIGHT:
-			options.radius *= BrushOptions.RADIUS_FACTOR
+			_scale_radius(BrushOptions.RADIUS_FACTOR)
 		KEY_ESCAPE:
 			options.tool = BrushOptions.Tool.NONE
 		_:
@@ -125,7 +127,24 @@ func _handle_key(key: InputEventKey) -> bool:
 	return true
 
 
+# Ctrl and the wheel change the radius.
+func _handle_wheel(button: InputEventMouseButton) -> bool:
+	var is_up := button.button_index == MOUSE_BUTTON_WHEEL_UP
+	if not button.ctrl_pressed or not (is_up or button.button_index == MOUSE_BUTTON_WHEEL_DOWN):
+		return false
+	if button.pressed:
+		_scale_radius(BrushOptions.RADIUS_FACTOR if is_up else 1.0 / BrushOptions.RADIUS_FACTOR)
+	return true
+
+
+func _scale_radius(factor: float) -> void:
+	options.radius *= factor
+	_follow_pointer_soon()
+
+
 func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
+	if _handle_wheel(button):
+		return true
 	if button.button_index != MOUSE_BUTTON_LEFT or button.alt_pressed:
 		return false
 	if not button.pressed:
@@ -140,15 +159,22 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 	if tool == BrushOptions.Tool.PICK:
 		_pick(place)
 		return true
-	_begin_stroke(place, tool, button.shift_pressed)
+	var erases_all := (
+		tool == BrushOptions.Tool.ERASE and button.ctrl_pressed and button.shift_pressed
+	)
+	_begin_stroke(place, tool, button.shift_pressed and not erases_all, erases_all)
 	return true
 
 
-func _begin_stroke(place: Vector3, tool: BrushOptions.Tool, smooths: bool) -> void:
+func _begin_stroke(
+	place: Vector3, tool: BrushOptions.Tool, smooths: bool, erases_all: bool
+) -> void:
 	var paints := tool == BrushOptions.Tool.PAINT and not smooths
 	var new_entry := _choice.take_new_entry() if paints else null
 	_settings.show_message("")
-	_stroke = BrushStroke.new(_field, options, tool, smooths, new_entry)
+	var species := PackedStringArray() if erases_all else options.species
+	_stroke = BrushStroke.new(_field, options, tool, smooths, species, new_entry)
+	_pressure = 0.0
 	_waits_for = place
 	if not _pen.begin():
 		_touch_first(1.0)
@@ -186,11 +212,25 @@ func _pick(place: Vector3) -> void:
 	options.tool = BrushOptions.Tool.PAINT
 
 
+## Draws the numbers of the brush beside the pointer if it is over [param overlay].
+func draw_over(overlay: Control) -> void:
+	if not _field or not _drawn_circle or not _pointer.is_over(overlay):
+		return
+	var place: Variant = _pointer.find_place(_field)
+	if not place is Vector3:
+		return
+	var tool := options.tool_with(_pointer.is_ctrl_pressed)
+	var names := _settings.get_painted_names()
+	var text := BrushReadout.describe(_field, options, tool, names, _field.to_local(place))
+	BrushReadout.draw(overlay, _pointer.get_point(), text)
+
+
 ## Ends a stroke in progress while its scene is still the edited one. The step of undo belongs to
 ## that scene.
 func end_stroke() -> void:
 	if not _stroke:
 		return
+	_move_stroke()
 	var stroke := _stroke
 	_touch_first(1.0)
 	_stroke = null
@@ -222,14 +262,31 @@ func _on_history_changed() -> void:
 
 
 # Once per frame, for any number of pointer events.
-func _show_circle_soon() -> void:
-	if not _is_circle_due:
-		_is_circle_due = true
-		_plugin.get_tree().process_frame.connect(_show_circle, CONNECT_ONE_SHOT)
+func _follow_pointer_soon() -> void:
+	if not _has_moved:
+		_has_moved = true
+		_plugin.get_tree().process_frame.connect(_follow_pointer, CONNECT_ONE_SHOT)
+
+
+func _follow_pointer() -> void:
+	_has_moved = false
+	_move_stroke()
+	_show_circle()
+
+
+# Moves the stroke to the pointer if the pointer has moved with the pen down.
+func _move_stroke() -> void:
+	if not _stroke or _pressure <= 0.0 or not _field.is_inside_tree():
+		return
+	var pressure := _pressure
+	_pressure = 0.0
+	var place: Variant = _pointer.find_place(_field)
+	if place is Vector3:
+		_touch_first(pressure)
+		_stroke.move_to(place, pressure)
 
 
 func _show_circle() -> void:
-	_is_circle_due = false
 	if not _circle or not _field or options.tool == BrushOptions.Tool.NONE:
 		return
 	var tool := options.tool_with(_pointer.is_ctrl_pressed)
@@ -249,9 +306,11 @@ func _show_circle() -> void:
 func _hide_circle() -> void:
 	_drawn_circle = []
 	_circle.hide()
+	_plugin.update_overlays()
 
 
 func _on_options_changed() -> void:
+	TransformGizmo.set_visible(options.tool == BrushOptions.Tool.NONE)
 	if options.tool == BrushOptions.Tool.NONE and _circle:
 		end_stroke()
 		_hide_circle()

@@ -2,8 +2,9 @@
 extends "node_gizmos.gd"
 ## The gizmo of PlantField3D. A click into its area selects it. Its border is always visible. While
 ## selected, it also shows the box of its plants, its exclusions, roads in their width, and a handle
-## on each side of a rectangle.
+## on each side of a rectangle, except while a tool of the brush is on.
 
+const BrushOptions := preload("../brush/brush_options.gd")
 const GizmoShapes := preload("gizmo_shapes.gd")
 
 const MIN_SIZE := 0.1
@@ -18,6 +19,13 @@ const MIN_BOX := 0.5
 const ROOM := 0.02
 ## Outward direction of each side of the rectangle, by the ids of the handles.
 const SIDES: Array[Vector3] = [Vector3.RIGHT, Vector3.LEFT, Vector3.BACK, Vector3.FORWARD]
+
+## Options of the brush.
+var brush_options: BrushOptions
+
+# Values before the current drag.
+var _size_before := Vector2.ZERO
+var _position_before := Vector3.ZERO
 
 
 func _init() -> void:
@@ -54,7 +62,7 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	if not is_selected:
 		return
 	gizmo.add_lines(GizmoShapes.box(_box_of(field, corners)), get_material("box", gizmo))
-	if field.outline.is_empty() and not field.map:  # A painted field has no size.
+	if _has_handles(field):
 		_add_handles(gizmo, field)
 
 
@@ -62,12 +70,22 @@ func _get_handle_name(_gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> 
 	return tr("Size")
 
 
-## Sets the size and the position of the field. The opposite side stays in place.
+## Returns the text that the 3D view shows during a drag.
 func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> Variant:
 	var field := gizmo.get_node_3d() as PlantField3D
-	return [field.size, field.position] if field else []
+	if not field:
+		return ""
+	return "%s × %s m" % [String.num(field.size.x, 2), String.num(field.size.y, 2)]
 
 
+func _begin_handle_action(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> void:
+	var field := gizmo.get_node_3d() as PlantField3D
+	if field:
+		_size_before = field.size
+		_position_before = field.position
+
+
+## Sets the size and the position of the field. The opposite side stays in place.
 func _set_handle(
 	gizmo: EditorNode3DGizmo, id: int, _secondary: bool, camera: Camera3D, point: Vector2
 ) -> void:
@@ -89,22 +107,22 @@ func _set_handle(
 
 
 func _commit_handle(
-	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, restore: Variant, cancel: bool
+	gizmo: EditorNode3DGizmo, _id: int, _secondary: bool, _restore: Variant, cancel: bool
 ) -> void:
 	var field := gizmo.get_node_3d() as PlantField3D
-	if not field or restore == [field.size, field.position]:
+	if not field or (field.size == _size_before and field.position == _position_before):
 		return
 	var size := field.size
 	var position := field.position
-	field.size = restore[0]
-	field.position = restore[1]
+	field.size = _size_before
+	field.position = _position_before
 	if cancel:
 		return
 	_undo.create_action(tr("Change Field Size"), UndoRedo.MERGE_DISABLE, field)
 	_undo.add_do_property(field, &"size", size)
 	_undo.add_do_property(field, &"position", position)
-	_undo.add_undo_property(field, &"size", restore[0])
-	_undo.add_undo_property(field, &"position", restore[1])
+	_undo.add_undo_property(field, &"size", _size_before)
+	_undo.add_undo_property(field, &"position", _position_before)
 	_undo.commit_action()
 
 
@@ -135,6 +153,12 @@ func _add_free_places(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
 		var free := field.get_exclusion_points(i)
 		if free.size() > 2:
 			gizmo.add_lines(GizmoShapes.loop(free), get_material("free", gizmo))
+
+
+# Handles would move the plants of a painted field, and lie below the pointer of the brush.
+func _has_handles(field: PlantField3D) -> bool:
+	var is_brush_on := brush_options and brush_options.tool != BrushOptions.Tool.NONE
+	return field.outline.is_empty() and not field.map and not is_brush_on
 
 
 func _add_handles(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
@@ -181,7 +205,7 @@ func _worked_on() -> Array[Node3D]:
 # the position of its outline, and the box of its plants.
 func _get_shown_values(node: Node3D) -> Array:
 	var field := node as PlantField3D
-	var values := [field.get_outline_points(), field.get_aabb(), field.map != null]
+	var values := [field.get_outline_points(), field.get_aabb(), _has_handles(field)]
 	for i in field.exclusions.size():
 		values.append(field.get_exclusion_points(i))
 	return values
