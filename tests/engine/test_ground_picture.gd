@@ -11,6 +11,12 @@ const SIZE := Vector2i(320, 180)
 ## Metres: the field's far end, and the camera's height.
 const END := 40.0
 const HEIGHT := 4.0
+## Of a field that ends near the camera, and of a person. The colours of near plants vary more.
+const NEAR_END := 12.0
+const NEAR_HEIGHT := 1.7
+const NEAR_COLOR := 9.5
+## Deviation of the lightness of the ground, as a share of that of the plants.
+const MIN_DETAIL := 0.15
 
 var _ground: MeshInstance3D
 
@@ -30,6 +36,27 @@ func test_ground_beyond_the_last_plants_continues_their_colour() -> void:
 		var beyond := _mean(shown, END + 8.0, END + 20.0)
 		var apart := plants.distance_to(beyond)
 		check(apart <= SAME_COLOR, "%s: %.1f between %s and %s" % [file, apart, plants, beyond])
+		stage.free()
+	make_stage()
+
+
+func test_the_end_of_a_near_field_is_no_line() -> void:
+	var grounds: Dictionary[String, String] = {
+		"mixes/meadow.tscn": "meadow",
+		"mixes/lawn.tscn": "lawn",
+		"mixes/wheat_field.tscn": "field_soil"
+	}
+	for file in grounds:
+		await _make_stage(file, grounds[file], NEAR_END, NEAR_HEIGHT)
+		var shown := await picture()
+		var plants := _mean(shown, NEAR_END - 2.5, NEAR_END - 0.5)
+		# Plants hide the ground behind the field's end.
+		var beyond := _mean(shown, NEAR_END + 7.0, NEAR_END + 14.0)
+		var apart := plants.distance_to(beyond)
+		check(apart <= NEAR_COLOR, "%s: %.1f between %s and %s" % [file, apart, plants, beyond])
+		var detail := _deviation(shown, NEAR_END + 7.0, NEAR_END + 14.0)
+		var own := _deviation(shown, NEAR_END - 2.5, NEAR_END - 0.5)
+		check(detail > MIN_DETAIL * own, "%s: detail %.1f beyond %.1f" % [file, detail, own])
 		stage.free()
 	make_stage()
 
@@ -95,7 +122,9 @@ func test_a_layer_lies_over_another_material() -> void:
 
 
 # A field of a species or mix [param file] in front of the camera, on ground to the horizon.
-func _make_stage(file: String, ground: String = "meadow") -> void:
+func _make_stage(
+	file: String, ground: String = "meadow", end: float = END, height: float = HEIGHT
+) -> void:
 	stage = SubViewport.new()
 	stage.size = SIZE
 	stage.own_world_3d = true
@@ -107,9 +136,9 @@ func _make_stage(file: String, ground: String = "meadow") -> void:
 	environment.environment.fog_enabled = false
 	stage.add_child(day)
 	var camera := Camera3D.new()
-	camera.fov = 12.0
+	camera.fov = 12.0 if end == END else 30.0
 	stage.add_child(camera)
-	camera.look_at_from_position(Vector3(0, HEIGHT, 0), Vector3(0, 0, -END))
+	camera.look_at_from_position(Vector3(0, height, 0), Vector3(0, 0, -end))
 	_ground = MeshInstance3D.new()
 	_ground.set_script(Ground3D)
 	var plane := PlaneMesh.new()
@@ -124,9 +153,9 @@ func _make_stage(file: String, ground: String = "meadow") -> void:
 		else:
 			field = PlantField3D.from_species([resource as PlantFunction])
 			field.density = 30.0
-		field.size = Vector2(12, 26)
+		field.size = Vector2(12, minf(26.0, end - 2.0))
 		field.simulation_enabled = false
-		field.position.z = -END + 13.0
+		field.position.z = -end + 0.5 * field.size.y
 		stage.add_child(field)
 		_ground.set(&"field", field)
 	stage.add_child(_ground)
@@ -139,6 +168,25 @@ func _mean(shown: Image, from: float, to: float) -> Vector3:
 	var near := camera.unproject_position(Vector3(0, 0, -from)).y
 	var far := camera.unproject_position(Vector3(0, 0, -to)).y
 	return _mean_of(shown, int(far), int(near))
+
+
+# The standard deviation of the lightness between two distances.
+func _deviation(shown: Image, from: float, to: float) -> float:
+	var camera := stage.get_camera_3d()
+	var near := int(camera.unproject_position(Vector3(0, 0, -from)).y)
+	var far := int(camera.unproject_position(Vector3(0, 0, -to)).y)
+	var sum := 0.0
+	var squares := 0.0
+	var count := 0
+	for y in range(far, near):
+		for x in range(SIZE.x / 6, SIZE.x * 5 / 6):
+			var color := shown.get_pixel(x, y).srgb_to_linear()
+			var lightness := _to_lab(Vector3(color.r, color.g, color.b)).x
+			sum += lightness
+			squares += lightness * lightness
+			count += 1
+	var mean := sum / maxi(count, 1)
+	return sqrt(maxf(squares / maxi(count, 1) - mean * mean, 0.0))
 
 
 func _mean_of(shown: Image, top: int, bottom: int) -> Vector3:

@@ -35,6 +35,8 @@ func _ready() -> void:
 	_material = shown.duplicate()
 	material_override = _material
 	apply_color(_material, field)
+	if field.is_inside_tree():
+		apply_bounds(_material, field)
 	if shows_density:
 		field.build_finished.connect(_show_density)
 		_show_density()
@@ -89,6 +91,20 @@ static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> voi
 	var color := Color(mean.x, mean.y, mean.z).linear_to_srgb()
 	material.set_shader_parameter(&"field_color", color)
 	material.set_shader_parameter(&"field_translucency", mean.w)
+	material.set_shader_parameter(&"field_height", maxf(_middle_of(layers) * tallest, 0.01))
+
+
+## Gives [param material] the rectangle of the plants of [param of_field], outside of which the far
+## field starts close to the camera: [code]field_bounds[/code]. A turned field has a larger one.
+static func apply_bounds(material: ShaderMaterial, of_field: PlantField3D) -> void:
+	if not of_field.is_inside_tree():
+		push_error("apply_bounds() needs the field in the tree. Add it first.")
+		return
+	var half := Vector3(of_field.size.x, 0.0, of_field.size.y) * 0.5
+	var box := of_field.global_transform * AABB(-half, 2.0 * half)
+	material.set_shader_parameter(
+		&"field_bounds", Vector4(box.position.x, box.position.z, box.size.x, box.size.z)
+	)
 
 
 ## Gives [param material] the density of the plants of [param of_field]: [code]field_mask[/code] and
@@ -119,6 +135,19 @@ static func apply_density(material: ShaderMaterial, of_field: PlantField3D) -> v
 func _show_density() -> void:
 	apply_density(_material, field)
 	_material.set_shader_parameter(&"field_beyond", 0.0)
+
+
+# Returns the height, as a share of that of all layers, below which 90 % of the area are.
+static func _middle_of(layers: Array[Layer]) -> float:
+	var sum := 0.0
+	for layer in layers:
+		sum += layer.area
+	var below := 0.0
+	for i in layers.size():
+		below += layers[i].area
+		if below >= 0.9 * sum:
+			return (i + 1.0) / layers.size()
+	return 1.0
 
 
 # Adds the triangles of a surface to layers of height, for `density` plants/m² of this size.
