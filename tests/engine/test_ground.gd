@@ -64,6 +64,26 @@ func test_density_is_a_picture_of_the_plants() -> void:
 	check(bare < 0.1, "where they were removed: %f" % bare)
 
 
+func test_bounds_are_the_rectangle_of_the_field_and_follow_its_builds() -> void:
+	field = _make_field({"meadow_grass": 1.0})
+	field.size = Vector2(8, 4)
+	field.density = 2.0
+	field.position = Vector3(5, 0, -3)
+	var ground := MeshInstance3D.new()
+	ground.set_script(Ground3D)
+	ground.mesh = PlaneMesh.new()
+	ground.mesh.material = load(GROUNDS + "meadow.tres")
+	ground.set(&"field", field)
+	root.add_child(field)
+	root.add_child(ground)
+	var material := ground.material_override as ShaderMaterial
+	check_equal(material.get_shader_parameter(&"field_bounds"), Vector4(1, -5, 8, 4), "bounds")
+	field.size = Vector2(10, 4)
+	field.build_finished.emit()
+	check_equal(material.get_shader_parameter(&"field_bounds"), Vector4(0, -5, 10, 4), "wider")
+	ground.free()
+
+
 func test_density_of_a_field_outside_the_tree_is_one_error() -> void:
 	field = _make_field({"wheat": 1.0})
 	var material := ShaderMaterial.new()

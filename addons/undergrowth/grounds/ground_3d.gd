@@ -36,7 +36,8 @@ func _ready() -> void:
 	material_override = _material
 	apply_color(_material, field)
 	if field.is_inside_tree():
-		apply_bounds(_material, field)
+		_show_bounds()
+	field.build_finished.connect(_show_bounds)
 	if shows_density:
 		field.build_finished.connect(_show_density)
 		_show_density()
@@ -130,6 +131,10 @@ static func apply_density(material: ShaderMaterial, of_field: PlantField3D) -> v
 	material.set_shader_parameter(
 		&"field_area", Vector4(area.position.x, area.position.y, area.size.x, area.size.y)
 	)
+
+
+func _show_bounds() -> void:
+	apply_bounds(_material, field)
 
 
 func _show_density() -> void:
