@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 namespace undergrowth {
 
@@ -17,10 +18,22 @@ constexpr double unit16(uint64_t bits, int part) {
 	return static_cast<double>((bits >> (16 * part)) & 0xffff) * (1.0 / 65536.0);
 }
 
+/// The highest 24 bits as a number in [-1, 1).
+constexpr float signed_unit(uint64_t bits) {
+	return static_cast<float>(bits >> 40) * (2.0f / 16777216.0f) - 1.0f;
+}
+
 /// The number `index` of the stream `seed`, uniform in [-1, 1).
 constexpr float signed_noise(uint64_t seed, uint64_t index) {
-	const uint64_t bits = mix_bits(mix_bits(seed) ^ index) >> 40;
-	return static_cast<float>(bits) * (2.0f / 16777216.0f) - 1.0f;
+	return signed_unit(mix_bits(mix_bits(seed) ^ index));
+}
+
+/// Mixed bits of a position seen from above.
+inline uint64_t bits_of_place(uint64_t seed, float x, float z) {
+	uint32_t place[2];
+	std::memcpy(&place[0], &x, sizeof place[0]);
+	std::memcpy(&place[1], &z, sizeof place[1]);
+	return mix_bits(mix_bits(seed ^ place[0]) ^ place[1]);
 }
 
 } // namespace undergrowth

@@ -8,7 +8,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cstring>
 
 namespace undergrowth {
 
@@ -46,10 +45,7 @@ void FieldSimulation::set_rests(int page, int first, const glm::vec3 *rests, int
 
 /// Prototype of a plant: by its position, so that it does not depend on the order of plants.
 Follower FieldSimulation::pick(const MotionPlant &plant, int species) const {
-	uint32_t place[2];
-	std::memcpy(&place[0], &plant.root.x, sizeof place[0]);
-	std::memcpy(&place[1], &plant.root.z, sizeof place[1]);
-	const uint64_t hash = mix_bits(mix_bits(options.seed ^ place[0]) ^ place[1]);
+	const uint64_t hash = bits_of_place(options.seed, plant.root.x, plant.root.z);
 	return models[static_cast<std::size_t>(species)].pick(plant, hash);
 }
 
@@ -130,8 +126,9 @@ void FieldSimulation::push_follower(Entry &entry, int index, const MotionState &
 	MotionPlant plant;
 	plant.root = entry.page.root(index);
 	plant.length = entry.page.length(index);
-	plant.rest = models[static_cast<std::size_t>(entry.page.species())].rest(follower.prototype);
-	plant.scale = models[static_cast<std::size_t>(entry.page.species())].scale_of(plant.length);
+	const Prototypes &prototypes = models[static_cast<std::size_t>(entry.page.species())];
+	plant.rest = prototypes.rest(follower.prototype);
+	plant.scale = prototypes.scale_of(plant.length);
 	plant.own = own_of_root(plant.root);
 	const int page = number_of(entry);
 	const int number = some.add(plant, page, index, state, shown_modes(page, index, 0.0f));

@@ -38,7 +38,7 @@ std::vector<MotionPlant> spread_plants(const MotionSpecies &species, int count) 
 		// Neighbours on the circle of leans differ in length: the index strides oddly through the lengths.
 		const float part = static_cast<float>((i * 29) % count) / static_cast<float>(std::max(count - 1, 1));
 		plant.length = species.shortest + part * (species.longest - species.shortest);
-		plant.scale = 2.0f * plant.length / (species.shortest + species.longest);
+		plant.scale = Prototypes::scale_among(species.shortest, species.longest, plant.length);
 		plant.own = 2.0f * (static_cast<float>((i * OWN_STRIDE) % count) + 0.5f) / static_cast<float>(count) - 1.0f;
 		const double around = 2.0 * PI * (i + 0.5) / count;
 		plant.rest = { static_cast<float>(portable_sin(lean) * portable_sin(around)),

@@ -35,7 +35,11 @@ public:
 	/// The direction of a prototype in calm air.
 	glm::vec3 rest(int prototype) const { return page.rest(prototype); }
 	/// MotionPlant::scale of a plant that followed a prototype.
-	float scale_of(float plant_length) const { return 2.0f * plant_length / (shortest + longest); }
+	float scale_of(float plant_length) const { return scale_among(shortest, longest, plant_length); }
+	/// The same for a species with lengths between these: they differ mainly by the scale.
+	static float scale_among(float shortest, float longest, float length) {
+		return 2.0f * length / (shortest + longest);
+	}
 	/// Picks a prototype with the lean of `plant`, or with about its height if frequencies depend on the height, and a
 	/// delay of up to a second, both by `hash`.
 	Follower pick(const MotionPlant &plant, uint64_t hash) const;

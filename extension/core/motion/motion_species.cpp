@@ -3,7 +3,6 @@
 #include "base/random.hpp"
 
 #include <cmath>
-#include <cstring>
 
 namespace undergrowth {
 
@@ -27,10 +26,7 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 }
 
 float own_of_root(const glm::vec3 &root) {
-	uint32_t place[2];
-	std::memcpy(&place[0], &root.x, sizeof place[0]);
-	std::memcpy(&place[1], &root.z, sizeof place[1]);
-	return signed_noise(place[0], place[1]);
+	return signed_unit(bits_of_place(0, root.x, root.z));
 }
 
 bool is_valid(const MotionPlant &plant) {

@@ -31,9 +31,9 @@ struct StemGrades {
 	float *by_height[MAX_STEM_MODES][4];
 };
 
-/// Fills in the columns. A plant with another frequency than its size gives has another stiffness, so loads bend it
-/// differently. Scaled plants have the same proportions; the change of gravity's effect is left out. Returns the
-/// highest frequency relative to the species', at least 1.
+/// Fills in the columns. If the own frequency of a plant differs from that of its size, its stiffness differs, and
+/// loads bend it differently. Scaled plants have the same proportions; the change of gravity's effect is left out.
+/// Returns the highest frequency relative to the species', at least 1.
 float stem_grades(const StemConstants &stem, float step, const OwnStems &plants, const StemGrades &to);
 
 /// StemPage::scale of plants with each of `count` lengths (m); 1 for removed plants (length 0).
