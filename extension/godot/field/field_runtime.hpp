@@ -137,7 +137,7 @@ public:
 	/// Call after a species' material was replaced.
 	void change_materials();
 	/// True if the present materials need meshes with or without cards, other than the present meshes.
-	bool needs_other_cards() const;
+	bool needs_other_meshes() const;
 	/// Copies the parameters of users' materials, of one species per call, in turns.
 	void follow_materials() { materials.follow(setup); }
 	void skeletons_changed();

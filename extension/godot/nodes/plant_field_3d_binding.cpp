@@ -74,7 +74,7 @@ PackedVector3Array PlantField3D::get_exclusion_points(int index) const {
 }
 
 void PlantField3D::change_materials() {
-	if (runtime.needs_other_cards()) {
+	if (runtime.needs_other_meshes()) {
 		dirty.mark_style();
 	} else {
 		runtime.change_materials();

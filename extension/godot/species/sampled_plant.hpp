@@ -45,6 +45,7 @@ struct SampledPlant {
 	MeshOptions options; ///< With the seed.
 	godot::Ref<godot::Material> material; ///< Null: the add-on's material.
 	bool has_part_bones = false; ///< It is for a skeleton with bones of its parts, besides root and tip.
+	bool is_packed = false; ///< A plant of parts of a field whose material reads packed vertices.
 	std::shared_ptr<const StemConstants> stem; ///< Of a stem with bones along its length; null for a straight one.
 	/// Rest bend of a plant of parts on a skeleton, in its own axes (motion/bend_encoding.hpp).
 	glm::vec2 rest = { 0.0f, 0.0f };

@@ -3,6 +3,7 @@
 #include "base/renderer.hpp"
 #include "form/shared_cards.hpp"
 #include "species/compact_arrays.hpp"
+#include "species/packed_arrays.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -44,8 +45,8 @@ static SharedMeshes &all_meshes() {
 static auto traits_of(const SampledPlant &plant) {
 	const MeshOptions &options = plant.options;
 	return std::make_tuple(plant.height, plant.lod, options.shading, options.shape_deviation, options.color_deviation,
-			options.seed, plant.material.ptr(), plant.has_part_bones, plant.stem.get(), plant.rest.x, plant.rest.y,
-			plant.grown.get(), plant.cards.get(), plant.cross_section.points.size());
+			options.seed, plant.material.ptr(), plant.has_part_bones, plant.is_packed, plant.stem.get(), plant.rest.x,
+			plant.rest.y, plant.grown.get(), plant.cards.get(), plant.cross_section.points.size());
 }
 
 static bool are_equal(const SampledPlant &one, const SampledPlant &other) {
@@ -152,7 +153,8 @@ Ref<ArrayMesh> SharedMesh::make() {
 		}
 		from = arrays;
 	}
-	const Ref<ArrayMesh> made = compact_arrays(from, !is_compatibility()).make();
+	const bool is_packed = plant.is_packed && from.has_parts;
+	const Ref<ArrayMesh> made = (is_packed ? pack_arrays(from) : compact_arrays(from, !is_compatibility())).make();
 	const std::lock_guard<std::mutex> lock(building);
 	if (mesh.is_null()) {
 		mesh = made;

@@ -17,12 +17,14 @@ namespace undergrowth {
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-static Ref<Shader> *shaders[4] = {}; // For lathes, parts, parts with cards, and shadows.
+// For lathes, parts, and in fields: parts without cards, parts with cards, and shadows.
+static Ref<Shader> *shaders[5] = {};
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 
-static const char *const SHADER_PATHS[4] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
-	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_cards.gdshader",
+static const char *const SHADER_PATHS[5] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
+	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_solids.gdshader",
+	"res://addons/undergrowth/shaders/plant_cards.gdshader",
 	"res://addons/undergrowth/shaders/plant_shadows.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
@@ -74,12 +76,16 @@ Ref<Shader> plant_shader(bool of_parts) {
 	return load_shader(int(of_parts));
 }
 
-Ref<Shader> cards_shader() {
+Ref<Shader> solids_shader() {
 	return load_shader(2);
 }
 
-Ref<Shader> shadows_shader() {
+Ref<Shader> cards_shader() {
 	return load_shader(3);
+}
+
+Ref<Shader> shadows_shader() {
+	return load_shader(4);
 }
 
 static bool is_main_thread() {

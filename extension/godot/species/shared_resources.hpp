@@ -24,6 +24,8 @@ void load_parts_shader();
 /// new material after the last one was freed does not read and compile it again.
 godot::Ref<godot::Shader> plant_shader(bool of_parts);
 
+/// Returns the add-on's shader of levels of a field without cards. Stays loaded as plant_shader() does.
+godot::Ref<godot::Shader> solids_shader();
 /// Returns the add-on's shader of plants of parts with cards. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> cards_shader();
 /// Returns the add-on's shader of plants of parts that only cast shadows. Stays loaded as plant_shader() does.

@@ -14,6 +14,7 @@ namespace undergrowth {
 static const char *const OWN_PREFIX = "undergrowth_"; // Prefix of parameters that the field sets.
 static const char *const INCLUDE_NAME = "undergrowth_bend.gdshaderinc";
 static const char *const CARD_INCLUDE_NAME = "undergrowth_card.gdshaderinc";
+static const char *const PACKED_NAME = "#define UNDERGROWTH_PACKED";
 
 void set_parameter(const Ref<ShaderMaterial> &material, const StringName &name, const Variant &value) {
 	if (material->get_shader_parameter(name) != value) {
@@ -34,15 +35,19 @@ static void take_over(const Ref<BaseMaterial3D> &source, const Ref<ShaderMateria
 }
 
 // The add-on's shader of plants of parts has versions with the same parameters.
-static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn) {
-	if (drawn == DrawnParts::solid || shader != plant_shader(true)) {
+static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn, bool is_packed) {
+	if (!is_packed || shader != plant_shader(true)) {
 		return shader;
+	}
+	if (drawn == DrawnParts::solid) {
+		return solids_shader();
 	}
 	return drawn == DrawnParts::with_cards ? cards_shader() : shadows_shader();
 }
 
-static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn) {
-	const Ref<Shader> shader = version_of(source->get_shader(), drawn);
+static void take_over(
+		const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn, bool is_packed) {
+	const Ref<Shader> shader = version_of(source->get_shader(), drawn, is_packed);
 	if (made->get_shader() != shader) {
 		made->set_shader(shader);
 	}
@@ -56,25 +61,25 @@ static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMateria
 	}
 }
 
-void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn) {
+void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn, bool is_packed) {
 	const Ref<ShaderMaterial> own = source;
 	const Ref<BaseMaterial3D> plain = source;
 	if (own.is_valid()) {
-		take_over(own, made, drawn);
+		take_over(own, made, drawn, is_packed);
 	} else if (plain.is_valid()) {
 		take_over(plain, made);
 	}
 }
 
-Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts, DrawnParts drawn) {
+Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_parts, DrawnParts drawn, bool is_packed) {
 	const Ref<ShaderMaterial> own = source;
 	if (own.is_valid()) {
 		const Ref<ShaderMaterial> copy = own->duplicate();
-		copy->set_shader(version_of(own->get_shader(), drawn));
+		copy->set_shader(version_of(own->get_shader(), drawn, is_packed));
 		return copy;
 	}
 	Ref<ShaderMaterial> made = new_counted<ShaderMaterial>();
-	made->set_shader(of_parts ? version_of(plant_shader(true), drawn) : plant_shader(false));
+	made->set_shader(of_parts ? version_of(plant_shader(true), drawn, is_packed) : plant_shader(false));
 	const Ref<BaseMaterial3D> plain = source;
 	if (plain.is_valid()) {
 		take_over(plain, made);
@@ -87,6 +92,15 @@ bool draws_cards(const Ref<Material> &source) {
 	const Ref<Shader> shader = own.is_valid() ? own->get_shader() : Ref<Shader>();
 	return source.is_null() ||
 			(shader.is_valid() && (shader == plant_shader(true) || shader->get_code().contains(CARD_INCLUDE_NAME)));
+}
+
+bool reads_packed_vertices(const Ref<Material> &source) {
+	const Ref<ShaderMaterial> own = source;
+	if (own.is_null()) {
+		return true;
+	}
+	const Ref<Shader> shader = own->get_shader();
+	return shader.is_valid() && (shader == plant_shader(true) || shader->get_code().contains(PACKED_NAME));
 }
 
 bool bends_in_shader(const Ref<ShaderMaterial> &material) {

@@ -12,14 +12,15 @@ enum class DrawnParts { solid, with_cards, shadows };
 
 /// Returns a new material that bends plants. A ShaderMaterial as `source` is copied. A BaseMaterial3D gives a material
 /// with the add-on's shader and the source's colours, textures and roughness; null gives that shader with its defaults.
-/// `of_parts`: uses the shader for plants of parts, in the version for what it draws.
+/// `of_parts`: uses the shader for plants of parts, in the version for what it draws. `is_packed`: its meshes have
+/// packed vertices.
 godot::Ref<godot::ShaderMaterial> make_field_material(
-		const godot::Ref<godot::Material> &source, bool of_parts, DrawnParts drawn = DrawnParts::solid);
+		const godot::Ref<godot::Material> &source, bool of_parts, DrawnParts drawn, bool is_packed);
 
 /// Copies the parameters of `source` to `made` after the user changed them: colours, textures and roughness of a
 /// BaseMaterial3D, or all shader parameters of a ShaderMaterial.
-void follow_material(
-		const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made, DrawnParts drawn);
+void follow_material(const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made,
+		DrawnParts drawn, bool is_packed);
 
 /// Sets a shader parameter if its value differs, because writing a parameter costs more than reading it.
 void set_parameter(
@@ -28,6 +29,10 @@ void set_parameter(
 /// True if a field can draw cards with a function's material: none, one with the add-on's shader of plants of parts, or
 /// one whose shader includes undergrowth_card.gdshaderinc.
 bool draws_cards(const godot::Ref<godot::Material> &source);
+
+/// True if a field's material made of this one reads packed vertices (mesh/packed_vertex.hpp): with the add-on's shader
+/// of plants of parts, or with a shader that defines UNDERGROWTH_PACKED.
+bool reads_packed_vertices(const godot::Ref<godot::Material> &source);
 
 /// True if the material's shader includes undergrowth_bend.gdshaderinc, without which plants do not move.
 bool bends_in_shader(const godot::Ref<godot::ShaderMaterial> &material);

@@ -34,18 +34,11 @@ static Vector2 above_at(const SpeciesStyle &style, size_t level) {
 	return style.has_parts() && level < style.from_above.size() ? style.from_above[level] : Vector2();
 }
 
-Ref<Material> FieldMaterials::source_material(const SpeciesStyle &style) const {
-	const Ref<Material> instead = node->get_material_override();
-	return instead.is_valid() ? instead : style.function->get_material();
-}
-
 Ref<ShaderMaterial> FieldMaterials::make_one(const SpeciesStyle &style, size_t level) const {
-	const bool has_cards = style.is_carded(level);
-	// After a change to a material without cards, the present meshes still have them until the next build.
-	const bool has_other = has_cards && style.has_other_cards(node->get_material_override());
-	const Ref<Material> source = has_other ? Ref<Material>() : source_material(style);
-	const Ref<ShaderMaterial> made = make_field_material(source, style.has_parts(), style.drawn_parts(level));
-	if (has_cards) {
+	const Ref<Material> source = style.present_material(node->get_material_override());
+	const Ref<ShaderMaterial> made =
+			make_field_material(source, style.has_parts(), style.drawn_parts(level), style.is_packed);
+	if (style.is_carded(level)) {
 		made->set_shader_parameter("undergrowth_card_colors", style.cards->colors());
 		made->set_shader_parameter("undergrowth_card_surfaces", style.cards->surfaces());
 	}
@@ -198,11 +191,12 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 	}
 	followed_style = (followed_style + 1) % setup.styles.size();
 	const SpeciesStyle &style = setup.styles[followed_style];
-	if (style.has_other_cards(node->get_material_override())) {
+	if (style.has_other_meshes(node->get_material_override())) {
 		return; // Until the next build.
 	}
+	const Ref<Material> source = style.present_material(node->get_material_override());
 	for (size_t i = 0; i < style.materials.size(); i++) {
-		follow_material(source_material(style), style.materials[i], style.drawn_parts(i));
+		follow_material(source, style.materials[i], style.drawn_parts(i), style.is_packed);
 	}
 }
 

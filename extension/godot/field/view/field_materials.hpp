@@ -69,7 +69,6 @@ private:
 	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;
 	void list_swinging(const FieldRenderSetup &setup);
 	void send_stem(const SpeciesStyle &style) const;
-	godot::Ref<godot::Material> source_material(const SpeciesStyle &style) const;
 	godot::Ref<godot::ShaderMaterial> make_one(const SpeciesStyle &style, size_t level) const;
 };
 

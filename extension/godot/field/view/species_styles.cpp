@@ -33,12 +33,24 @@ int SpeciesStyle::segments_at(const FieldLevel &level) const {
 	return is_by_error ? level.lod : std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
 }
 
-static bool can_draw_cards(const Ref<PlantFunction> &function, const Ref<Material> &material_override) {
-	return draws_cards(material_override.is_valid() ? material_override : function->get_material());
+static Ref<Material> drawn_material(const Ref<PlantFunction> &function, const Ref<Material> &material_override) {
+	return material_override.is_valid() ? material_override : function->get_material();
 }
 
-bool SpeciesStyle::has_other_cards(const Ref<Material> &material_override) const {
-	return is_by_error && takes_cards != can_draw_cards(function, material_override);
+bool SpeciesStyle::needs_other_meshes(const Ref<Material> &material) const {
+	return (is_by_error && takes_cards != draws_cards(material)) ||
+			(has_parts() && is_packed != reads_packed_vertices(material));
+}
+
+bool SpeciesStyle::has_other_meshes(const Ref<Material> &material_override) const {
+	return needs_other_meshes(drawn_material(function, material_override));
+}
+
+Ref<Material> SpeciesStyle::present_material(const Ref<Material> &material_override) const {
+	if (!has_other_meshes(material_override)) {
+		return drawn_material(function, material_override);
+	}
+	return needs_other_meshes(sampled_material) ? Ref<Material>() : sampled_material;
 }
 
 String SpeciesStyle::sample_next(
@@ -71,8 +83,7 @@ String SpeciesStyle::sample_next(
 		}
 		if (level == 0) {
 			is_by_error = by_error && sampled.grown;
-			takes_cards = is_by_error && can_draw_cards(function, material_override);
-			cards = takes_cards ? function->find_cards() : nullptr;
+			take_needs(sampled, drawn_material(function, material_override));
 			sampled.lod = sampled.grown ? segments_at(levels[level]) : sampled.lod;
 			variants.push_back({ own_seed, sampled.height });
 		}
@@ -81,9 +92,21 @@ String SpeciesStyle::sample_next(
 	return String();
 }
 
+// All variants have meshes of the same kind, even if the material changes between two of them.
+void SpeciesStyle::take_needs(SampledPlant &sampled, const Ref<Material> &material) {
+	if (variants.empty()) {
+		sampled_material = material;
+		takes_cards = is_by_error && draws_cards(material);
+		cards = takes_cards ? function->find_cards() : nullptr;
+		is_packed = sampled.grown && reads_packed_vertices(material);
+	}
+	sampled.is_packed = is_packed;
+}
+
 void SpeciesStyle::load_shader() const {
 	plant_shader(motion.has_parts);
 	if (motion.has_parts) {
+		solids_shader();
 		shadows_shader();
 	}
 	if (cards) {
@@ -257,6 +280,7 @@ SampledPlant SpeciesStyle::sample_alone(const PlacedPlant &plant) const {
 	SampledPlant sampled = nearest[size_t(plant.variant) % nearest.size()];
 	sampled.height = height_of(plant);
 	sampled.has_part_bones = true;
+	sampled.is_packed = false;
 	sampled.cards = nullptr;
 	sampled.stem = stem;
 	return sampled;

@@ -35,6 +35,8 @@ struct SpeciesStyle {
 	/// Cards of the species; null if its material cannot draw them or its levels are not chosen by error.
 	std::shared_ptr<SharedCards> cards;
 	bool takes_cards = false; ///< True if its material can draw cards.
+	bool is_packed = false; ///< True if its meshes have packed vertices.
+	godot::Ref<godot::Material> sampled_material; ///< The material for which it was sampled.
 	std::vector<bool> are_carded; ///< By level: drawn with cards. Empty: none.
 	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
 	std::vector<FieldVariant> variants;
@@ -69,8 +71,11 @@ struct SpeciesStyle {
 	/// `material_override`: the node's, or null.
 	godot::String sample_next(const std::vector<FieldLevel> &levels, bool is_by_error,
 			const godot::Ref<godot::Material> &material_override);
-	/// True if it was sampled for a material that draws cards, and now has one that does not, or the other way round.
-	bool has_other_cards(const godot::Ref<godot::Material> &material_override) const;
+	/// True if its material cannot draw its meshes as they are: it draws cards or reads packed vertices, and the one
+	/// for which it was sampled does not, or the other way round.
+	bool has_other_meshes(const godot::Ref<godot::Material> &material_override) const;
+	/// Returns its material, or as long as that cannot draw its meshes, the one for which they were made.
+	godot::Ref<godot::Material> present_material(const godot::Ref<godot::Material> &material_override) const;
 	/// Measures the errors of all levels if they are chosen by error. Any thread.
 	void measure();
 	/// Returns the vertical segments at a level.
@@ -118,6 +123,8 @@ struct SpeciesStyle {
 	}
 
 private:
+	bool needs_other_meshes(const godot::Ref<godot::Material> &material) const;
+	void take_needs(SampledPlant &sampled, const godot::Ref<godot::Material> &material);
 	void build_meshes();
 	LevelLooks measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
 	void measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies);
