@@ -4,6 +4,8 @@ extends HFlowContainer
 
 ## Emitted when the chosen species was saved to a file and that file is chosen.
 signal saved(entry: SpeciesEntry)
+## Emitted before [param node], which was just added to the scene, is selected there.
+signal added(node: Node)
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("../plant_page/species_entry.gd")
@@ -122,15 +124,17 @@ func _add_to_scene(root: Node, plant: Node3D, file: String = "") -> void:
 	if field:
 		place.lay(field, parent)
 	SceneActions.add(_undo, root, parent, plant, place.point, others)
+	added.emit(plant)
 	_select(plant)
+	_state.show_new_plants_move()
 	var names := PackedStringArray([plant.name])
 	for other in others:
 		names.append(other.name)
-	var added := tr("Added %s to the scene.") % ", ".join(names)
+	var message := tr("Added %s to the scene.") % ", ".join(names)
 	if field and not place.has_ground and not others.any(Surroundings.is_ground):
-		_warn(added + " " + tr("It is flat: the centre of the 3D view shows no ground."))
+		_warn(message + " " + tr("It is flat: the centre of the 3D view shows no ground."))
 	else:
-		_state.report(added)
+		_state.report(message)
 
 
 func _on_assign_pressed() -> void:

@@ -47,11 +47,16 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_properties.setup(state, undo)
 	_actions.setup(state, undo, dock)
 	_actions.saved.connect(_on_saved)
-	_choose(_list.get_first())
-	_list.mark(_chosen.key)
+	_actions.added.connect(_scene_species.skip)
+	_choose_first()
 	_turn_split()
 	_scene_species.selected.connect(_show_species)
 	_scene_species.setup(self)
+
+
+func _choose_first() -> void:
+	_choose(_list.get_first())
+	_list.mark(_chosen.key if _chosen else "")
 
 
 # Side by side in a wide dock, such as the editor's bottom panel. Otherwise two rows of species, if

@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## The list with thumbnails, in groups that fold: ready species, mixes of them, simple species, and
+## The list with thumbnails, in groups that fold: ready mixes, ready species, simple species, and
 ## the project's own.
 
 ## Emitted when the user chose a species or a mix.
@@ -16,6 +16,8 @@ const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
+## File of the entry that is chosen at first.
+const FIRST_MIX := "meadow.tscn"
 const THUMBNAIL_SIZE := 48
 ## Minimum width of a column, as a fraction of the thumbnail's size, for the title.
 const MIN_COLUMN := 1.2
@@ -45,8 +47,8 @@ var _work_title := ""
 @onready var _photo: PlantPhoto = %Photo
 @onready var _new: Button = %New
 @onready var _filter: LineEdit = %Filter
-@onready var _groups: Array[FoldableContainer] = [%Ready, %Mixes, %Simple, %Project]
-@onready var _lists: Array[ItemList] = [%ReadyList, %MixList, %SimpleList, %ProjectList]
+@onready var _groups: Array[FoldableContainer] = [%Mixes, %Ready, %Simple, %Project]
+@onready var _lists: Array[ItemList] = [%MixList, %ReadyList, %SimpleList, %ProjectList]
 @onready var _scroll: ScrollContainer = %Scroll
 @onready var _no_match: Label = %NoMatch
 @onready var _project_hint: Label = %ProjectHint
@@ -76,8 +78,11 @@ func find(key: String) -> SpeciesEntry:
 	return null
 
 
-## Returns the first entry: a ready species, or a class of the library if the files are missing.
+## Returns the entry for a new user: the meadow. If that file is missing, another mix or a species.
 func get_first() -> SpeciesEntry:
+	for entry in _catalog.mixes:
+		if entry.key.get_file() == FIRST_MIX:
+			return entry
 	return _entries()[0]
 
 
