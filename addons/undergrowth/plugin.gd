@@ -13,6 +13,7 @@ const FIELD_GIZMOS := "editor/gizmo/field_gizmos.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", FIELD_GIZMOS]
 const SWAY := "editor/wind_page/sway_button.gd"
 const BRUSH := "editor/brush/field_brush.gd"
+const DROP_AREA := "editor/field/drop_area.gd"
 const GROUND_WATCH := "editor/field/ground_watch.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
 const EXPORT_CHECK := "editor/export/library_check.gd"
@@ -36,6 +37,8 @@ var _placeholder: Node3D
 var _sway: Button
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
+# Take mixes and species that are dropped on the 3D views: editor/field/drop_area.gd.
+var _drop_areas: Array[Control] = []
 # Fills fields again whose ground was moved: editor/field/ground_watch.gd.
 var _ground_watch: RefCounted
 var _thumbnails: EditorResourcePreviewGenerator
@@ -73,6 +76,9 @@ func _exit_tree() -> void:
 	_sway.queue_free()
 	_brush.call(&"close")
 	_brush = null
+	for area in _drop_areas:
+		area.queue_free()
+	_drop_areas.clear()
 	_ground_watch.call(&"close")
 	_ground_watch = null
 	_placeholder.free()  # Only now: they have taken their gizmos from their nodes.
@@ -179,6 +185,9 @@ func _add_helpers() -> void:
 	_brush = (_load(BRUSH) as GDScript).new()
 	_brush.call(&"setup", self, _dock_state())
 	_gizmos[GIZMOS.find(FIELD_GIZMOS)].set(&"brush_options", _brush.get(&"options"))
+	var dock := _dock.get_child(0)
+	var accepts := Callable(dock, &"accepts_drag")
+	_drop_areas = _load(DROP_AREA).call(&"add_to_views", accepts, Callable(dock, &"drop"))
 	_ground_watch = (_load(GROUND_WATCH) as GDScript).new()
 	_ground_watch.call(&"setup", self)
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()

@@ -16,6 +16,8 @@ const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
+## The dragged entry's key in the data of a drag.
+const DRAGGED_KEY := "undergrowth_key"
 ## File of the entry that is chosen at first.
 const FIRST_MIX := "meadow.tscn"
 const THUMBNAIL_SIZE := 48
@@ -65,6 +67,7 @@ func setup(state: EditorState) -> void:
 	for list: ItemList in _lists:
 		list.item_selected.connect(_on_item_selected.bind(list))
 		list.resized.connect(_fit_columns.bind(list))
+		list.set_drag_forwarding(_get_dragged.bind(list), Callable(), Callable())
 	_catalog.changed.connect(_on_catalog_changed)
 	_catalog.start()
 	_apply_theme()
@@ -286,6 +289,20 @@ func _on_photo_taken(key: String, picture: Texture2D) -> void:
 		_state.advance_work()
 		if _state.work_done >= _state.work_total:
 			_state.end_work()
+
+
+# Other parts of the editor take the file or the resource, such as a property of the inspector.
+func _get_dragged(at: Vector2, list: ItemList) -> Variant:
+	var index := list.get_item_at_position(at, true)
+	if index < 0:
+		return null
+	var entry: SpeciesEntry = list.get_item_metadata(index)
+	var picture := TextureRect.new()
+	picture.texture = list.get_item_icon(index)
+	list.set_drag_preview(picture)
+	if entry.kind == SpeciesEntry.Kind.CLASS:
+		return {"type": "resource", "resource": entry.instantiate(), DRAGGED_KEY: entry.key}
+	return {"type": "files", "files": PackedStringArray([entry.key]), DRAGGED_KEY: entry.key}
 
 
 func _on_item_selected(index: int, list: ItemList) -> void:
