@@ -100,8 +100,8 @@ func _on_add_field_pressed() -> void:
 	add_field(EditorInterface.get_editor_viewport_3d(0))
 
 
-## Adds a field of the chosen species or mix to the edited scene, at [param pixel] of [param view] or
-## at its centre.
+## Adds a field of the chosen species or mix to the edited scene, at [param pixel] of [param view]
+## or at its centre.
 func add_field(view: Viewport, pixel := Vector2.INF) -> void:
 	var root := _find_root()
 	if not root or not _can_build():
