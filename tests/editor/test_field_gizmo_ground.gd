@@ -24,7 +24,7 @@ func test_a_click_on_the_ground_selects_the_field() -> void:
 	var field := await _open_slope()
 	EditorInterface.get_selection().clear()
 	await frames(5)
-	var place := Vector3(1.9, tan(SLOPE) * 1.9, 1.9)
+	var place := Vector3(1.9, tan(SLOPE) * 1.9, -1.9)
 	await click(_view(), _place_of(field, place))
 	await frames(3)
 	check_equal(
