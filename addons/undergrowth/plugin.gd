@@ -11,7 +11,9 @@ const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
 const FIELD_GIZMOS := "editor/gizmo/field_gizmos.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", FIELD_GIZMOS]
+const SWAY := "editor/wind_page/sway_button.gd"
 const BRUSH := "editor/brush/field_brush.gd"
+const DROP_AREA := "editor/field/drop_area.gd"
 const GROUND_WATCH := "editor/field/ground_watch.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
 const EXPORT_CHECK := "editor/export/library_check.gd"
@@ -31,8 +33,12 @@ var _inspector: EditorInspectorPlugin
 var _gizmos: Array[EditorNode3DGizmoPlugin] = []
 # Where gizmos go whose node is no more.
 var _placeholder: Node3D
+# The button *Sway* in the toolbar of the 3D view: editor/wind_page/sway_button.gd.
+var _sway: Button
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
+# Take mixes and species that are dropped on the 3D views: editor/field/drop_area.gd.
+var _drop_areas: Array[Control] = []
 # Fills fields again whose ground was moved: editor/field/ground_watch.gd.
 var _ground_watch: RefCounted
 var _thumbnails: EditorResourcePreviewGenerator
@@ -65,8 +71,14 @@ func _exit_tree() -> void:
 		return
 	remove_inspector_plugin(_inspector)
 	_remove_gizmos()
+	_sway.call(&"close", self)
+	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _sway)
+	_sway.queue_free()
 	_brush.call(&"close")
 	_brush = null
+	for area in _drop_areas:
+		area.queue_free()
+	_drop_areas.clear()
 	_ground_watch.call(&"close")
 	_ground_watch = null
 	_placeholder.free()  # Only now: they have taken their gizmos from their nodes.
@@ -167,9 +179,15 @@ func _add_helpers() -> void:
 	_inspector = (_load(INSPECTOR) as GDScript).new()
 	add_inspector_plugin(_inspector)
 	_add_gizmos()
+	_sway = (_load(SWAY) as GDScript).new()
+	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _sway)
+	_sway.call(&"setup", self, _dock_state())
 	_brush = (_load(BRUSH) as GDScript).new()
-	_brush.call(&"setup", self, _dock.get_child(0).get(&"state"))
+	_brush.call(&"setup", self, _dock_state())
 	_gizmos[GIZMOS.find(FIELD_GIZMOS)].set(&"brush_options", _brush.get(&"options"))
+	var dock := _dock.get_child(0)
+	var accepts := Callable(dock, &"accepts_drag")
+	_drop_areas = _load(DROP_AREA).call(&"add_to_views", accepts, Callable(dock, &"drop"))
 	_ground_watch = (_load(GROUND_WATCH) as GDScript).new()
 	_ground_watch.call(&"setup", self)
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
@@ -177,6 +195,11 @@ func _add_helpers() -> void:
 	_export_check = (_load(EXPORT_CHECK) as GDScript).new()
 	_export_check.call(&"setup", _folder())
 	add_export_plugin(_export_check)
+
+
+# State that the dock's pages share: editor/editor_state.gd.
+func _dock_state() -> RefCounted:
+	return _dock.get_child(0).get(&"state")
 
 
 func _add_gizmos() -> void:

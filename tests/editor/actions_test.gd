@@ -9,13 +9,16 @@ const LIGHT := "Light"
 
 
 ## English for any system language, because the tests compare messages. *Add as Field* adds a field
-## only.
+## only, and no scene sways at first.
 func run(test: String) -> void:
 	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
 	var surroundings := part("Plant/Actions/Surroundings") as CheckBox
 	surroundings.button_pressed = false
+	_state().choose_sway(true)
+	_state().sways = false
 	await super(test)
 	surroundings.button_pressed = true
+	_state().sways = false
 
 
 ## Saves a picture of the editor's window with a dialog.

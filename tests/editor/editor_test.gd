@@ -3,7 +3,7 @@ extends "editor_hands.gd"
 ## Base of the editor tests: the dock and its parts.
 
 ## The lists of the plant page, from top to bottom.
-const LISTS: Array[String] = ["ReadyList", "MixList", "SimpleList", "ProjectList"]
+const LISTS: Array[String] = ["MixList", "ReadyList", "SimpleList", "ProjectList"]
 const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 
 

@@ -11,13 +11,13 @@ const MEADOW := "res://addons/undergrowth/mixes/meadow.tscn"
 const LANGUAGE := "hr"
 
 
-func test_ready_species_and_mixes_come_first() -> void:
+func test_ready_mixes_and_species_come_first() -> void:
 	await open_page("Plant")
 	var lists: Array[ItemList] = []
 	for name: String in LISTS:
 		lists.append(part("Plant/List/" + name) as ItemList)
-	_check_folder(lists[0], SPECIES, "tres")
-	_check_folder(lists[1], MIXES, "tscn")
+	_check_folder(lists[0], MIXES, "tscn")
+	_check_folder(lists[1], SPECIES, "tres")
 	check_equal(item_title(lists[2], 0), "Grass", "the thesis's species come after them")
 	for i in lists[3].item_count:
 		var path := lists[3].get_item_tooltip(i)

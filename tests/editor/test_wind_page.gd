@@ -71,6 +71,51 @@ func test_air_has_fields_of_its_own_and_presets() -> void:
 	check(not (part("Wind/Speed") as Control).visible, "waves have no speed")
 
 
+func test_nothing_moves_when_a_preset_is_chosen() -> void:
+	await open_page("Wind")
+	(part("Wind") as ScrollContainer).scroll_vertical = 0
+	var names: Array[String] = [
+		"Calm", "Breeze", "Storm", "Gust", "OnScene", "Apply", "Take", "Save"
+	]
+	names.append_array(["Kind"] as Array[String])
+	await _choose_kind(PlantWind.KIND_WAVES)
+	await frames(3)
+	var before := _rects_of(names)
+	var page := (part("Wind") as Control).get_global_rect()
+	for name in names:
+		check(page.encloses(before[name]), name + " is visible without scrolling")
+	await click(part("Wind/Fresh") as Control)
+	await frames(3)
+	check_equal(_wind().kind, PlantWind.KIND_AIR, "kind")
+	check_equal(_rects_of(names), before, "places after a preset")
+	await _choose_kind(PlantWind.KIND_GUST)
+	await frames(3)
+	check_equal(_rects_of(names), before, "places after another kind")
+
+
+func test_presets_have_their_speeds_and_mark_the_chosen_one() -> void:
+	await open_page("Wind")
+	var breeze := part("Wind/Breeze") as Button
+	var gale := part("Wind/Gale") as Button
+	check(breeze.text.contains("5") and breeze.text.contains("m/s"), breeze.text)
+	await _press_button("Breeze")
+	check(breeze.button_pressed and not gale.button_pressed, "the breeze is marked")
+	await _press_button("Breeze")
+	check(breeze.button_pressed, "after another press, too")
+	await _press_button("Gale")
+	check(gale.button_pressed and not breeze.button_pressed, "the gale is marked")
+	_wind().speed = 12.0
+	check(not gale.button_pressed, "none is marked at another speed")
+	await _press_button("Breeze")
+
+
+func _rects_of(names: Array[String]) -> Dictionary[String, Rect2]:
+	var rects: Dictionary[String, Rect2] = {}
+	for name in names:
+		rects[name] = (part("Wind/" + name) as Control).get_global_rect()
+	return rects
+
+
 func test_turbulence_of_the_ground_is_described_in_words() -> void:
 	await _choose_kind(PlantWind.KIND_AIR)
 	var slider := part("Wind/Turbulence") as EditorSpinSlider

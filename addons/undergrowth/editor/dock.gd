@@ -33,6 +33,16 @@ func setup(plugin: EditorPlugin) -> void:
 	_wind_page.setup(state, plugin.get_undo_redo())
 
 
+## Returns true if [param data] of a drag is a mix or a species.
+func accepts_drag(data: Variant) -> bool:
+	return _plant_page.accepts_drag(data)
+
+
+## Adds a field of the dragged mix or species at [param pixel] of the 3D view [param view].
+func drop(data: Variant, view: SubViewport, pixel: Vector2) -> void:
+	_plant_page.drop(data, view, pixel)
+
+
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE and state:
 		state.close()

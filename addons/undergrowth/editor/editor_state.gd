@@ -13,6 +13,8 @@ signal function_edited
 signal view_changed
 ## Emitted when the wind was replaced or its properties changed.
 signal wind_changed
+## Emitted when [member sways] changed.
+signal sway_changed
 ## Emitted when the status line has a new text.
 signal reported(text: String, severity: Severity)
 ## Emitted when long work started, progressed or ended; see [member work_total].
@@ -23,9 +25,7 @@ enum Severity { INFO, WARNING, ERROR }
 ## Segments of the four levels of detail that the dock shows and bakes, finest first.
 const LEVELS: Array[int] = [24, 12, 6, 3]
 const DEFAULT_SEGMENTS := 12
-## A light breeze, in newtons and hertz.
-const PREVIEW_STRENGTH := 5.0
-const PREVIEW_FREQUENCY := 0.4
+const BREEZE: PlantWind = preload("res://addons/undergrowth/winds/breeze.tres")
 
 ## The chosen species, or null for none or a mix.
 var function: PlantFunction:
@@ -66,6 +66,15 @@ var wind: PlantWind:
 		_wind = value
 		_on_wind_changed()
 
+## True while the plants of the edited scene sway in the editor's 3D view, each in its own wind.
+var sways: bool:
+	get:
+		return _sways
+	set(value):
+		if value != _sways:
+			_sways = value
+			sway_changed.emit()
+
 ## Title of the long work, number of its parts and of finished parts. 0 parts: no work.
 var work_title := ""
 var work_total := 0
@@ -75,13 +84,13 @@ var work_cancelled := false
 
 var _function: PlantFunction
 var _wind: PlantWind
+var _sways := false
+# True after the user has switched the sway off. New plants do not switch it on again.
+var _is_still_by_user := false
 
 
 func _init() -> void:
-	var breeze := PlantWind.new()
-	breeze.kind = PlantWind.KIND_WAVES
-	breeze.strength = PREVIEW_STRENGTH
-	breeze.frequency = PREVIEW_FREQUENCY
+	var breeze: PlantWind = BREEZE.duplicate()
 	breeze.direction = PI / 2.0
 	wind = breeze
 
@@ -109,6 +118,18 @@ func choose(
 func choose_mix(new_mix: PackedScene, new_title: String) -> void:
 	mix = new_mix
 	_take(null, "", new_title, null)
+
+
+## Switches the sway on or off for the user.
+func choose_sway(on: bool) -> void:
+	_is_still_by_user = not on
+	sways = on
+
+
+## Switches the sway on for new plants of the scene, unless the user has switched it off.
+func show_new_plants_move() -> void:
+	if not _is_still_by_user:
+		sways = true
 
 
 ## Marks the chosen species as broken until its next change. [param text] contains the reason and

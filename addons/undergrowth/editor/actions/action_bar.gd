@@ -4,6 +4,8 @@ extends HFlowContainer
 
 ## Emitted when the chosen species was saved to a file and that file is chosen.
 signal saved(entry: SpeciesEntry)
+## Emitted before [param node], which was just added to the scene, is selected there.
+signal added(node: Node)
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("../plant_page/species_entry.gd")
@@ -91,29 +93,42 @@ func _on_add_pressed() -> void:
 	plant.height = _state.height
 	plant.seed = _state.seed_value
 	plant.segments = _state.segments
-	_add_to_scene(root, plant)
+	_add_to_scene(root, plant, NewPlace.find(EditorInterface.get_editor_viewport_3d(0), root))
 
 
 func _on_add_field_pressed() -> void:
+	add_field(EditorInterface.get_editor_viewport_3d(0))
+
+
+## Adds a field of the chosen species or mix to the edited scene, at [param pixel] of [param view]
+## or at its centre.
+func add_field(view: Viewport, pixel := Vector2.INF) -> void:
 	var root := _find_root()
 	if not root or not _can_build():
 		return
+	var place: NewPlace = NewPlace.find(view, root, pixel)
+	var no_ground := (
+		tr("It is flat: no ground is below the pointer.")
+		if pixel.is_finite()
+		else tr("It is flat: the centre of the 3D view shows no ground.")
+	)
 	var wind := SceneActions.to_scene_wind(_state.wind, root)
 	if _state.mix:
 		var mixed := SceneActions.make_mix(_state.mix, wind)
-		_add_to_scene(root, mixed, _state.mix.resource_path)
+		_add_to_scene(root, mixed, place, no_ground, _state.mix.resource_path)
 	else:
 		var field := SceneActions.make_field(_to_scene_function(root), wind, _state.title)
-		_add_to_scene(root, field, _state.origin.resource_path if _state.origin else "")
+		var file := _state.origin.resource_path if _state.origin else ""
+		_add_to_scene(root, field, place, no_ground, file)
 
 
 func _to_scene_function(root: Node) -> PlantFunction:
 	return SceneActions.to_scene_function(_state.function, root, _state.origin)
 
 
-## A field of [param file] gets the surroundings that the scene lacks.
-func _add_to_scene(root: Node, plant: Node3D, file: String = "") -> void:
-	var place: NewPlace = NewPlace.find(EditorInterface.get_editor_viewport_3d(0), root)
+## A field of [param file] gets the surroundings that the scene lacks, or the warning
+## [param no_ground].
+func _add_to_scene(root: Node, plant: Node3D, place: NewPlace, no_ground := "", file := "") -> void:
 	var parent := SceneActions.get_parent_for_new(root)
 	var field := plant as PlantField3D
 	var others: Array[Node] = []
@@ -122,15 +137,17 @@ func _add_to_scene(root: Node, plant: Node3D, file: String = "") -> void:
 	if field:
 		place.lay(field, parent)
 	SceneActions.add(_undo, root, parent, plant, place.point, others)
+	added.emit(plant)
 	_select(plant)
+	_state.show_new_plants_move()
 	var names := PackedStringArray([plant.name])
 	for other in others:
 		names.append(other.name)
-	var added := tr("Added %s to the scene.") % ", ".join(names)
+	var message := tr("Added %s to the scene.") % ", ".join(names)
 	if field and not place.has_ground and not others.any(Surroundings.is_ground):
-		_warn(added + " " + tr("It is flat: the centre of the 3D view shows no ground."))
+		_warn(message + " " + no_ground)
 	else:
-		_state.report(added)
+		_state.report(message)
 
 
 func _on_assign_pressed() -> void:

@@ -1,6 +1,6 @@
 @tool
 extends RefCounted
-## The place for a new plant or field at the centre of a 3D viewport, and the ground there. A field
+## The place for a new plant or field in a 3D viewport, and the ground there. A field
 ## is laid on that ground.
 
 const BrushGround := preload("../brush/brush_ground.gd")
@@ -18,14 +18,14 @@ var _terrain: Node
 var _terrain_property := NodePath()
 
 
-## Returns the place in the scene of [param root].
-static func find(viewport: Viewport, root: Node) -> RefCounted:
+## Returns the place in the scene of [param root] at [param pixel], or at the centre of the view.
+static func find(viewport: Viewport, root: Node, pixel := Vector2.INF) -> RefCounted:
 	var camera := viewport.get_camera_3d()
 	if not camera:
 		return new()
-	var center := viewport.get_visible_rect().size * 0.5
-	var from := camera.project_ray_origin(center)
-	return find_along(viewport.find_world_3d(), root, from, camera.project_ray_normal(center))
+	var at := pixel if pixel.is_finite() else viewport.get_visible_rect().size * 0.5
+	var from := camera.project_ray_origin(at)
+	return find_along(viewport.find_world_3d(), root, from, camera.project_ray_normal(at))
 
 
 ## Returns the same for a ray of [param world]. A terrain without colliders in the editor is ground

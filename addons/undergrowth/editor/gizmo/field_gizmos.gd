@@ -2,9 +2,11 @@
 extends "node_gizmos.gd"
 ## The gizmo of PlantField3D. A click into its area selects it. Its border is always visible. While
 ## selected, it also shows the box of its plants, its exclusions, roads in their width, and a handle
-## on each side of a rectangle, except while a tool of the brush is on.
+## on each side of a rectangle, except while a tool of the brush is on. Lines and handles lie on the
+## ground of the field.
 
 const BrushOptions := preload("../brush/brush_options.gd")
+const DrapedBorder := preload("draped_border.gd")
 const GizmoShapes := preload("gizmo_shapes.gd")
 
 const MIN_SIZE := 0.1
@@ -26,6 +28,9 @@ var brush_options: BrushOptions
 # Values before the current drag.
 var _size_before := Vector2.ZERO
 var _position_before := Vector3.ZERO
+# Of the dragged handle above the field's plane, in metres.
+var _handle_height := 0.0
+var _draped := DrapedBorder.new()
 
 
 func _init() -> void:
@@ -35,6 +40,15 @@ func _init() -> void:
 	add_material("free", _line_material(Color(0.9, 0.6, 0.3, 0.8), true))
 	add_material("box", _line_material(Color(0.6, 0.8, 0.6, 0.2), false))
 	create_handle_material("side")
+
+
+## Releases the editor's objects. Call it before the plugin is removed.
+func close() -> void:
+	super()
+	for id in _made:
+		var field := instance_from_id(id) as PlantField3D
+		if field and field.build_finished.is_connected(_on_built.bind(id)):
+			field.build_finished.disconnect(_on_built.bind(id))
 
 
 func _get_gizmo_name() -> String:
@@ -51,10 +65,12 @@ func _redraw(gizmo: EditorNode3DGizmo) -> void:
 	var corners := field.get_outline_points() if field else PackedVector3Array()
 	if corners.size() < 3:
 		return
-	var border := GizmoShapes.loop(corners)
+	_follow_builds(field)
+	var line := _draped.drape_loop(field, corners)
+	var border := GizmoShapes.loop(line)
 	gizmo.add_collision_segments(border)
-	gizmo.add_collision_segments(_room_around(corners))
-	_add_area(gizmo, corners)
+	gizmo.add_collision_segments(_room_around(line))
+	_add_area(gizmo, line)
 	var is_selected := _is_selected(field)
 	gizmo.add_lines(border, get_material("chosen" if is_selected else "border", gizmo))
 	if is_selected or _is_path_selected(field):
@@ -78,9 +94,10 @@ func _get_handle_value(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> 
 	return "%s × %s m" % [String.num(field.size.x, 2), String.num(field.size.y, 2)]
 
 
-func _begin_handle_action(gizmo: EditorNode3DGizmo, _id: int, _secondary: bool) -> void:
+func _begin_handle_action(gizmo: EditorNode3DGizmo, id: int, _secondary: bool) -> void:
 	var field := gizmo.get_node_3d() as PlantField3D
 	if field:
+		_handle_height = _find_handles(field)[id].y
 		_size_before = field.size
 		_position_before = field.position
 
@@ -95,7 +112,8 @@ func _set_handle(
 	var side := SIDES[id]
 	var axis := 0 if side.x else 1
 	var half := field.size[axis] * 0.5
-	var reach := GizmoShapes.reach_along(field, side, FARTHEST, camera, point)
+	var from := Vector3.UP * _handle_height
+	var reach := GizmoShapes.reach_along(field, side, FARTHEST, camera, point, from)
 	var step := SNAP_STEP if Input.is_key_pressed(KEY_CTRL) else STEP
 	var is_both := Input.is_key_pressed(KEY_ALT)
 	var length := snappedf(reach * 2.0 if is_both else reach + half, step)
@@ -152,7 +170,8 @@ func _add_free_places(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
 	for i in field.exclusions.size():
 		var free := field.get_exclusion_points(i)
 		if free.size() > 2:
-			gizmo.add_lines(GizmoShapes.loop(free), get_material("free", gizmo))
+			var line := _draped.drape_loop(field, free)
+			gizmo.add_lines(GizmoShapes.loop(line), get_material("free", gizmo))
 
 
 # Handles would move the plants of a painted field, and lie below the pointer of the brush.
@@ -162,11 +181,29 @@ func _has_handles(field: PlantField3D) -> bool:
 
 
 func _add_handles(gizmo: EditorNode3DGizmo, field: PlantField3D) -> void:
+	var ids := PackedInt32Array(range(SIDES.size()))
+	gizmo.add_handles(_find_handles(field), get_material("side", gizmo), ids)
+
+
+func _find_handles(field: PlantField3D) -> PackedVector3Array:
 	var places := PackedVector3Array()
 	for side in SIDES:
 		places.append(side * Vector3(field.size.x, 0.0, field.size.y) * 0.5)
-	var ids := PackedInt32Array(range(SIDES.size()))
-	gizmo.add_handles(places, get_material("side", gizmo), ids)
+	return _draped.drape(field, places)
+
+
+# New plants can be on changed ground.
+func _follow_builds(field: PlantField3D) -> void:
+	var listener := _on_built.bind(field.get_instance_id())
+	if not field.build_finished.is_connected(listener):
+		field.build_finished.connect(listener)
+
+
+func _on_built(id: int) -> void:
+	_draped.forget(id)
+	var field := instance_from_id(id) as PlantField3D
+	if field:
+		field.update_gizmos()
 
 
 # At the height of the plants above the border, if the field has one.
@@ -206,6 +243,8 @@ func _worked_on() -> Array[Node3D]:
 func _get_shown_values(node: Node3D) -> Array:
 	var field := node as PlantField3D
 	var values := [field.get_outline_points(), field.get_aabb(), _has_handles(field)]
+	if DrapedBorder.is_needed(field):
+		values.append(field.global_transform)
 	for i in field.exclusions.size():
 		values.append(field.get_exclusion_points(i))
 	return values

@@ -68,19 +68,24 @@ static func cross(at: Vector3, arm: float) -> PackedVector3Array:
 
 
 ## Returns the point of [param way], a unit vector in the axes of [param node], that is nearest to
-## the line of sight through [param point]: in metres of the node from its origin, at most
+## the line of sight through [param point]: in metres of the node from [param start], at most
 ## [param farthest] in both directions.
 static func reach_along(
-	node: Node3D, way: Vector3, farthest: float, camera: Camera3D, point: Vector2
+	node: Node3D,
+	way: Vector3,
+	farthest: float,
+	camera: Camera3D,
+	point: Vector2,
+	start := Vector3.ZERO
 ) -> float:
 	var to_node := node.global_transform.affine_inverse()
 	var eye := to_node * camera.project_ray_origin(point)
 	var sight := (to_node.basis * camera.project_ray_normal(point)).normalized()
 	var far := way * farthest
 	var near := Geometry3D.get_closest_points_between_segments(
-		-far, far, eye, eye + sight * (farthest + eye.length())
+		start - far, start + far, eye, eye + sight * (farthest + eye.length())
 	)
-	return near[0].dot(way)
+	return (near[0] - start).dot(way)
 
 
 static func _corner(box: AABB, i: int) -> Vector3:

@@ -47,11 +47,46 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_properties.setup(state, undo)
 	_actions.setup(state, undo, dock)
 	_actions.saved.connect(_on_saved)
-	_choose(_list.get_first())
-	_list.mark(_chosen.key)
+	_actions.added.connect(_scene_species.skip)
+	_choose_first()
 	_turn_split()
 	_scene_species.selected.connect(_show_species)
 	_scene_species.setup(self)
+
+
+func _choose_first() -> void:
+	_choose(_list.get_first())
+	_list.mark(_chosen.key if _chosen else "")
+
+
+## Returns true if [param data] of a drag is a mix or a species.
+func accepts_drag(data: Variant) -> bool:
+	return _find_dragged(data) != null
+
+
+## Chooses the mix or the species of a drag and adds a field of it at [param pixel] of [param view].
+func drop(data: Variant, view: SubViewport, pixel: Vector2) -> void:
+	var dragged := _find_dragged(data)
+	var entry := dragged as SpeciesEntry
+	if entry:
+		_choose(entry)
+	elif dragged:
+		_chosen = null
+		_state.choose(dragged as PlantFunction, "", SpeciesEntry.title_of(dragged))
+	_list.mark(_chosen.key if _chosen else "")
+	if not entry or (_chosen and _chosen.key == entry.key):
+		_actions.add_field(view, pixel)
+
+
+# Returns an entry of the list, another species, or null. Scenes outside of the list are the
+# editor's.
+func _find_dragged(data: Variant) -> RefCounted:
+	if data is not Dictionary:
+		return null
+	var files: PackedStringArray = data.get("files", [])
+	var key: String = data.get(SpeciesList.DRAGGED_KEY, files[0] if files.size() == 1 else "")
+	var entry := _list.find(key) if key else null
+	return entry if entry else (data.get("resource") as PlantFunction)
 
 
 # Side by side in a wide dock, such as the editor's bottom panel. Otherwise two rows of species, if

@@ -7,6 +7,8 @@ signal selected(species: PlantFunction)
 
 var _page: Control
 var _is_pending := false
+# Id of the node that the dock has added. 0: none.
+var _own_id := 0
 
 
 ## Reports the selection while [param page] is visible, and when it becomes visible.
@@ -14,6 +16,11 @@ func setup(page: Control) -> void:
 	_page = page
 	page.visibility_changed.connect(_on_visibility_changed)
 	EditorInterface.get_selection().selection_changed.connect(_on_selection_changed)
+
+
+## Ignores the selection of [param node], which the dock adds itself, until another one is selected.
+func skip(node: Node) -> void:
+	_own_id = node.get_instance_id()
 
 
 static func find() -> PlantFunction:
@@ -28,6 +35,11 @@ static func find() -> PlantFunction:
 
 
 func _on_selection_changed() -> void:
+	var nodes := EditorInterface.get_selection().get_selected_nodes()
+	if nodes.size() == 1 and nodes[0].get_instance_id() == _own_id:
+		_is_pending = false
+		return
+	_own_id = 0 if nodes else _own_id
 	_is_pending = not _page.is_visible_in_tree()
 	var found := null if _is_pending else find()
 	if found:

@@ -52,7 +52,7 @@ func start() -> void:
 
 ## Returns the found species, by groups in the order of the list.
 func list_groups() -> Array[Array]:
-	return [ready_species, mixes, simple_species, project_species]
+	return [mixes, ready_species, simple_species, project_species]
 
 
 ## Searches all folders again.

@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## The list with thumbnails, in groups that fold: ready species, mixes of them, simple species, and
+## The list with thumbnails, in groups that fold: ready mixes, ready species, simple species, and
 ## the project's own.
 
 ## Emitted when the user chose a species or a mix.
@@ -16,6 +16,10 @@ const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
+## The dragged entry's key in the data of a drag.
+const DRAGGED_KEY := "undergrowth_key"
+## File of the entry that is chosen at first.
+const FIRST_MIX := "meadow.tscn"
 const THUMBNAIL_SIZE := 48
 ## Minimum width of a column, as a fraction of the thumbnail's size, for the title.
 const MIN_COLUMN := 1.2
@@ -45,8 +49,8 @@ var _work_title := ""
 @onready var _photo: PlantPhoto = %Photo
 @onready var _new: Button = %New
 @onready var _filter: LineEdit = %Filter
-@onready var _groups: Array[FoldableContainer] = [%Ready, %Mixes, %Simple, %Project]
-@onready var _lists: Array[ItemList] = [%ReadyList, %MixList, %SimpleList, %ProjectList]
+@onready var _groups: Array[FoldableContainer] = [%Mixes, %Ready, %Simple, %Project]
+@onready var _lists: Array[ItemList] = [%MixList, %ReadyList, %SimpleList, %ProjectList]
 @onready var _scroll: ScrollContainer = %Scroll
 @onready var _no_match: Label = %NoMatch
 @onready var _project_hint: Label = %ProjectHint
@@ -63,6 +67,7 @@ func setup(state: EditorState) -> void:
 	for list: ItemList in _lists:
 		list.item_selected.connect(_on_item_selected.bind(list))
 		list.resized.connect(_fit_columns.bind(list))
+		list.set_drag_forwarding(_get_dragged.bind(list), Callable(), Callable())
 	_catalog.changed.connect(_on_catalog_changed)
 	_catalog.start()
 	_apply_theme()
@@ -76,8 +81,11 @@ func find(key: String) -> SpeciesEntry:
 	return null
 
 
-## Returns the first entry: a ready species, or a class of the library if the files are missing.
+## Returns the entry for a new user: the meadow. If that file is missing, another mix or a species.
 func get_first() -> SpeciesEntry:
+	for entry in _catalog.mixes:
+		if entry.key.get_file() == FIRST_MIX:
+			return entry
 	return _entries()[0]
 
 
@@ -281,6 +289,20 @@ func _on_photo_taken(key: String, picture: Texture2D) -> void:
 		_state.advance_work()
 		if _state.work_done >= _state.work_total:
 			_state.end_work()
+
+
+# Other parts of the editor take the file or the resource, such as a property of the inspector.
+func _get_dragged(at: Vector2, list: ItemList) -> Variant:
+	var index := list.get_item_at_position(at, true)
+	if index < 0:
+		return null
+	var entry: SpeciesEntry = list.get_item_metadata(index)
+	var picture := TextureRect.new()
+	picture.texture = list.get_item_icon(index)
+	list.set_drag_preview(picture)
+	if entry.kind == SpeciesEntry.Kind.CLASS:
+		return {"type": "resource", "resource": entry.instantiate(), DRAGGED_KEY: entry.key}
+	return {"type": "files", "files": PackedStringArray([entry.key]), DRAGGED_KEY: entry.key}
 
 
 func _on_item_selected(index: int, list: ItemList) -> void:

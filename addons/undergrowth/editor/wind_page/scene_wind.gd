@@ -1,7 +1,8 @@
 @tool
 extends Node
-## Applies the dock's wind to all plants of the edited scene in the editor's viewport. The scene
-## does not change: its plants only move, and return to rest at the end.
+## Moves the plants of the edited scene in the editor's viewport: each in its own wind while the
+## scene sways, or all in the dock's wind while that is shown. The scene does not change: its plants
+## only move, and return to rest at the end.
 
 const EditorState := preload("../editor_state.gd")
 const ScenePlants := preload("scene_plants.gd")
@@ -11,8 +12,11 @@ const WindClock := preload("wind_clock.gd")
 static var blowing: PlantWind
 
 var _state: EditorState
+var _shows_dock_wind := false
 var _root: Node
 var _plants: Array[Node3D] = []
+# Ids of the plants that a wind moves.
+var _moving: Dictionary[int, bool] = {}
 var _is_outdated := false
 
 
@@ -21,20 +25,39 @@ func _ready() -> void:
 
 
 func _exit_tree() -> void:
-	set_active(false)
+	_shows_dock_wind = false
+	_set_running(false)
 
 
+## Moves the plants while [member EditorState.sways] of [param state] is true.
 func setup(state: EditorState) -> void:
 	_state = state
+	_state.sway_changed.connect(_update)
 
 
+## Returns true while the dock's wind moves the plants.
 func is_active() -> bool:
-	return is_processing()
+	return _shows_dock_wind
 
 
-## Starts or ends it. At the end the plants return to rest.
+## Starts or ends the dock's wind on the scene. At the end the plants return to their own wind if
+## the scene sways, or to rest.
 func set_active(on: bool) -> void:
-	if on == is_active():
+	if on == _shows_dock_wind:
+		return
+	_shows_dock_wind = on
+	blowing = _state.wind if on else null
+	_update()
+	if on:
+		_report()
+
+
+func _update() -> void:
+	_set_running(_shows_dock_wind or _state.sways)
+
+
+func _set_running(on: bool) -> void:
+	if on == is_processing():
 		return
 	set_process(on)
 	var tree := get_tree()
@@ -42,7 +65,6 @@ func set_active(on: bool) -> void:
 		tree.node_added.connect(_on_node_changed)
 		tree.node_removed.connect(_on_node_changed)
 		_collect()
-		_report()
 	else:
 		tree.node_added.disconnect(_on_node_changed)
 		tree.node_removed.disconnect(_on_node_changed)
@@ -52,12 +74,15 @@ func set_active(on: bool) -> void:
 func _process(delta: float) -> void:
 	if _is_outdated or EditorInterface.get_edited_scene_root() != _root:
 		_collect()
-	blowing = _state.wind
-	if not blowing:
-		return
-	WindClock.advance(blowing, delta)
+	blowing = _state.wind if _shows_dock_wind else null
 	for plant in _plants:
-		plant.call(&"_preview", delta, blowing)
+		var wind: PlantWind = blowing if _shows_dock_wind else plant.get(&"wind")
+		if wind:
+			_moving[plant.get_instance_id()] = true
+			WindClock.advance(wind, delta)
+			plant.call(&"_preview", delta, wind)
+		elif _moving.erase(plant.get_instance_id()):
+			plant.call(&"reset_motion")
 
 
 func _collect() -> void:
@@ -69,6 +94,7 @@ func _collect() -> void:
 	for plant: Variant in _plants:
 		if is_instance_valid(plant) and not stays.has(plant):
 			(plant as Node3D).call(&"reset_motion")
+			_moving.erase((plant as Node3D).get_instance_id())
 	_root = root
 	_plants = found
 	_is_outdated = false
@@ -80,6 +106,7 @@ func _release() -> void:
 		if is_instance_valid(plant):
 			(plant as Node3D).call(&"reset_motion")
 	_plants.clear()
+	_moving.clear()
 	_root = null
 
 

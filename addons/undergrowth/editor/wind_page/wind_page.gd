@@ -142,6 +142,7 @@ func _show_wind() -> void:
 	_direction.set_value_no_signal(degrees)
 	_dial.degrees = degrees
 	_heading.text = _dial.describe().replace("° ", "°\n")
+	(%Presets as WindPresets).mark(wind)
 	_show_fields(wind)
 
 
@@ -156,6 +157,16 @@ func _show_fields(wind: PlantWind) -> void:
 	(%BeaufortLabel as Label).visible = is_air
 	(%Beaufort as Label).visible = is_air
 	(%Beaufort as Label).text = Beaufort.describe(wind)
+	_keep_columns()
 	var is_periodic := wind.kind in [PlantWind.KIND_BURSTS, PlantWind.KIND_WAVES]
 	_frequency_label.visible = is_periodic
 	_sliders[&"frequency"].visible = is_periodic
+
+
+# The same width of the labels' column for every kind, so that no control moves.
+func _keep_columns() -> void:
+	var widest := 0.0
+	for child in _kind.get_parent().get_children():
+		if child is Label and child != %Beaufort and child != _heading:
+			widest = maxf(widest, (child as Label).get_minimum_size().x)
+	(%KindLabel as Label).custom_minimum_size.x = widest
