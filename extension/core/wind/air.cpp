@@ -37,8 +37,8 @@ struct Heading {
 	glm::dvec2 turned(const glm::dvec2 &place) const { return { glm::dot(along, place), glm::dot(across, place) }; }
 };
 
-/// How a line along the wind crosses the rows of a periodic map: with a slope, and with a sine of `sway` metres. So a position
-/// meets other rows each time that the map repeats, although the map travels exactly along the wind.
+/// How a line along the wind crosses the rows of a periodic map: with a slope, and with a sine of `sway` metres. So a
+/// position meets other rows each time that the map repeats, although the map travels exactly along the wind.
 struct Rows {
 	double slope = 0.0;
 	double sway = 0.0; ///< m.
@@ -68,8 +68,8 @@ struct MapSize {
 };
 
 /// A map that was carried by `way` metres, for positions in `axes`.
-AirMap map_at(const std::vector<uint64_t> &cells, const MapSize &size, const Rows &rows, const Heading &heading, double way,
-		const AirAxes &axes) {
+AirMap map_at(const std::vector<uint64_t> &cells, const MapSize &size, const Rows &rows, const Heading &heading,
+		double way, const AirAxes &axes) {
 	const glm::dvec2 parts = static_cast<double>(AirMap::PARTS) / size.texel;
 	const auto in_map = [&](const glm::dvec2 &place) {
 		return parts * glm::dvec2(place.x, place.y + rows.slope * place.x);
@@ -97,8 +97,8 @@ AirPatterns patterns_at(
 		const AirTiles &tiles, const Heading &heading, double turbulence_way, double eddies_way, const AirAxes &axes) {
 	constexpr int WIDTH = AirTiles::WIDTH;
 	constexpr int HEIGHT = AirTiles::HEIGHT;
-	return { map_at(tiles.turbulence, { WIDTH, HEIGHT, { AirTiles::LENGTH_STEP, AirTiles::SIDE_STEP } }, TURBULENCE_ROWS,
-					 heading, turbulence_way, axes),
+	return { map_at(tiles.turbulence, { WIDTH, HEIGHT, { AirTiles::LENGTH_STEP, AirTiles::SIDE_STEP } },
+					 TURBULENCE_ROWS, heading, turbulence_way, axes),
 		map_at(tiles.eddies, { WIDTH, HEIGHT, { AirTiles::EDDY_LENGTH_STEP, AirTiles::EDDY_SIDE_STEP } }, EDDY_ROWS,
 				heading, eddies_way, axes) };
 }

@@ -11,9 +11,10 @@ namespace undergrowth {
 /// Wind in the terms of a weather report, and the offsets of its frozen patterns. Positions are horizontal, in metres
 /// of the world.
 ///
-/// The wind carries each pattern along, by its own distance. The velocity at a position is the pattern at that position,
-/// rotated into the wind's axes about the world's origin, minus the distance. So the velocity depends on nothing but the
-/// members and the time. A change of the speed continues all patterns, and so does a change of the direction at the origin.
+/// The wind carries each pattern along, by its own distance. The velocity at a position is the pattern at that
+/// position, rotated into the wind's axes about the world's origin, minus the distance. So the velocity depends on
+/// nothing but the members and the time. A change of the speed continues all patterns, and so does a change of the
+/// direction at the origin.
 struct Air {
 	float speed = 0.0f; ///< m/s at 10 m, >= 0.
 	float turbulence = -1.0f; ///< Standard deviation over the mean speed, at 10 m; below 0: that of the roughness.
@@ -40,8 +41,8 @@ struct AirAxes {
 /// Speeds (m/s) at which the wind carries turbulence and eddies above open ground: the wind's at 1 m and at 10 m.
 double turbulence_speed(const Air &air);
 double eddies_speed(const Air &air);
-/// Speed of all patterns over the canopy (m/s), 1.8 times the speed at its top (Finnigan 2000), and the length of waves (m).
-/// Without a canopy the speed of turbulence.
+/// Speed of all patterns over the canopy (m/s), 1.8 times the speed at its top (Finnigan 2000), and the length of waves
+/// (m). Without a canopy the speed of turbulence.
 double canopy_pattern_speed(const Air &air);
 double waves_length(const Air &air);
 
@@ -55,10 +56,9 @@ AirSnapshot air_at_time(const Air &air, const AirAxes &axes, const AirTiles *til
 /// Velocity (m/s, world) at a place whose height above open ground is `place.y`.
 glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const glm::vec3 &place);
 
-/// Wind at `height` (m) within a canopy of `canopy_height` or above it, with directions in the axes of `axes`. A height of 0
-/// or less: the canopy's top. A canopy height of 0: isolated plants on open ground.
-AirMoments moments_over(
-		const AirSnapshot &air, float canopy_height, const PlantWinds &axes, float height = 0.0f);
+/// Wind at `height` (m) within a canopy of `canopy_height` or above it, with directions in the axes of `axes`. A height
+/// of 0 or less: the canopy's top. A canopy height of 0: isolated plants on open ground.
+AirMoments moments_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes, float height = 0.0f);
 
 /// Writes the velocities (m/s) at plants (x, z), in the axes of `moments`, to out_x and out_z. `lengths` (m) are the
 /// heights of isolated plants; null above a canopy.

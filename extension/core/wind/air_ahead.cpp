@@ -33,8 +33,7 @@ int AirAhead::stride_in(const Air &air, float step, float swing, float canopy_he
 	constexpr double STILL = 1e-6; // m/s.
 	constexpr double ROUNDING = 1e-3; // Of a step.
 	double spacing = std::min(SPACING, SWING_SHARE * static_cast<double>(swing));
-	const double carried =
-			std::max(canopy_height > 0.0f ? canopy_pattern_speed(air) : turbulence_speed(air), STILL);
+	const double carried = std::max(canopy_height > 0.0f ? canopy_pattern_speed(air) : turbulence_speed(air), STILL);
 	spacing = std::min(spacing, TRAVEL / carried);
 	if (canopy_height > 0.0f && air.canopy_wave_amount > 0.0f && air.canopy_height > 0.0f) {
 		spacing = std::min(spacing, WAVES_SHARE * waves_length(air) / carried);

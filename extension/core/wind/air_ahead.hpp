@@ -22,8 +22,8 @@ public:
 	static constexpr double SWING_SHARE = 0.2;
 	/// The same as a fraction of the period of waves; preserves 95 % of their amplitude.
 	static constexpr double WAVES_SHARE = 0.25;
-	/// Maximum distance (m) that the patterns travel between samples: a texel of turbulence. The error of tips is then a few
-	/// hundredths of their motion, in gales too.
+	/// Maximum distance (m) that the patterns travel between samples: a texel of turbulence. The error of tips is then
+	/// a few hundredths of their motion, in gales too.
 	static constexpr double TRAVEL = 0.25;
 	static constexpr double SPACING = 4.0 / 60.0; ///< s, maximum.
 	static constexpr int MAX_STEPS = 4; ///< Maximum number of steps between samples.

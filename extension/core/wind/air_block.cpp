@@ -22,8 +22,8 @@ float unit_gust(float skew) {
 }
 
 /// Velocities of isolated plants: each has the wind of its own height above open ground.
-void make_isolated(const AirSnapshot &air, const float *lengths, AirMoments moments, const AirDeviates &others, int count,
-		float *x, float *z, const WindKernels &kernels) {
+void make_isolated(const AirSnapshot &air, const float *lengths, AirMoments moments, const AirDeviates &others,
+		int count, float *x, float *z, const WindKernels &kernels) {
 	const OpenGround open(static_cast<double>(air.roughness));
 	const float gust = air.speed * air.gusts * static_cast<float>(open.gusts(REFERENCE_HEIGHT));
 	moments.mean = air.speed * static_cast<float>(open.growth());
@@ -41,8 +41,8 @@ void make_isolated(const AirSnapshot &air, const float *lengths, AirMoments mome
 struct Deviates {
 	float eddies_along[BLOCK], eddies_across[BLOCK], waves[BLOCK];
 
-	Deviates(const AirSnapshot &air, bool is_canopy, const float *x, const float *z, int count, float *along, float *across,
-			const WindKernels &kernels) {
+	Deviates(const AirSnapshot &air, bool is_canopy, const float *x, const float *z, int count, float *along,
+			float *across, const WindKernels &kernels) {
 		const AirPatterns &patterns = is_canopy ? air.canopy : air.open;
 		if (patterns.turbulence.cells) {
 			kernels.sample_turbulence(patterns.eddies, x, z, count, eddies_along, eddies_across);

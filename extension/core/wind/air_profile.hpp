@@ -43,14 +43,14 @@ double canopy_top_speed(double canopy_height);
 double canopy_speed(double height, double canopy_height, double extinction = 2.5);
 /// Standard deviation along the wind at the canopy's top, relative to the speed there: 1.9 friction velocities.
 inline constexpr double CANOPY_GUSTS = 1.9 * 0.364;
-/// Standard deviation along the wind at a height within a canopy or above it: falls below the top as canopy_speed(), and
-/// is constant above.
+/// Standard deviation along the wind at a height within a canopy or above it: falls below the top as canopy_speed(),
+/// and is constant above.
 double canopy_gusts(double height, double canopy_height, double extinction = 2.5);
 /// Standard deviation across the wind, relative to that along it.
 inline constexpr double SIDE_GUSTS = 0.75;
 
-/// Standard deviation of the large eddies in turbulence of 1, from 0 to 1; the rest is small. It grows with the height's
-/// logarithm, EDDIES_AT_ONE + EDDIES_GROWTH·ln(z/1 m), and is constant within ten roughness lengths.
+/// Standard deviation of the large eddies in turbulence of 1, from 0 to 1; the rest is small. It grows with the
+/// height's logarithm, EDDIES_AT_ONE + EDDIES_GROWTH·ln(z/1 m), and is constant within ten roughness lengths.
 inline constexpr double EDDIES_AT_ONE = 0.45;
 inline constexpr double EDDIES_GROWTH = 0.235;
 double open_ground_eddies(double height, double roughness);

@@ -49,8 +49,8 @@ void prepare(Powers &powers, int width, int height) {
 /// Distribution across the wind of the waves of one length along it. Row j and its mirror have the same share.
 class Spread {
 public:
-	/// For a coherence of two points of exp(-10·√(f² + (0.12/L)²)·distance), with the frequency `f` (1/m): the share of each
-	/// row is the integral of a Lorentz curve.
+	/// For a coherence of two points of exp(-10·√(f² + (0.12/L)²)·distance), with the frequency `f` (1/m): the share of
+	/// each row is the integral of a Lorentz curve.
 	static Spread exponential(double f) {
 		constexpr double DECAY = 10.0 / (2.0 * PI);
 		constexpr double LONGEST = 0.12 / (8.1 * 0.7 * REFERENCE_HEIGHT); // IEC 61400-1, at 10 m.
@@ -109,7 +109,8 @@ double kaimal(double slow, double f) {
 }
 
 template <class SpreadOf, class AlongOf, class AcrossOf>
-TurbulencePowers powers_of(double length, const SpreadOf &spread_of, const AlongOf &along_of, const AcrossOf &across_of) {
+TurbulencePowers powers_of(
+		double length, const SpreadOf &spread_of, const AlongOf &along_of, const AcrossOf &across_of) {
 	TurbulencePowers powers;
 	for (int i = 1; i < AirTiles::WIDTH / 2; i++) {
 		const double f = i / length;
@@ -126,8 +127,8 @@ TurbulencePowers powers_of(double length, const SpreadOf &spread_of, const Along
 	return powers;
 }
 
-// The lengths of both maps and eddy_amount() were fitted together, so that their sum is within 25 % of Kaimal's spectra at
-// heights from 0.5 to 10 m, for reduced frequencies from 0.01 to 1.
+// The lengths of both maps and eddy_amount() were fitted together, so that their sum is within 25 % of Kaimal's spectra
+// at heights from 0.5 to 10 m, for reduced frequencies from 0.01 to 1.
 
 TurbulencePowers turbulence_powers() {
 	constexpr double ALONG = 24.0; // m.
@@ -177,8 +178,8 @@ double random_angle(uint64_t stream, std::size_t index) {
 	return static_cast<double>(mix_bits(mix_bits(stream) ^ index) >> 11) * TURN;
 }
 
-/// Adds a wave and its mirror, which has the opposite phase, as those of a real map, which is the real or the imaginary part
-/// of the grid's.
+/// Adds a wave and its mirror, which has the opposite phase, as those of a real map, which is the real or the imaginary
+/// part of the grid's.
 void add_wave(ComplexGrid &grid, int i, int j, double size, double angle, bool is_imaginary) {
 	const std::size_t wave = at(i, j, grid.width);
 	const std::size_t mirror = at(grid.width - i, (grid.height - j) % grid.height, grid.width);
@@ -200,8 +201,8 @@ void add_waves(ComplexGrid &grid, const Powers &powers, uint64_t stream, bool is
 	}
 }
 
-/// Adds both components with the phases of one stream function ψ: u = ∂ψ/∂n and v = -∂ψ/∂s. Waves without a slope across the
-/// wind have no u of it, so their phases differ.
+/// Adds both components with the phases of one stream function ψ: u = ∂ψ/∂n and v = -∂ψ/∂s. Waves without a slope
+/// across the wind have no u of it, so their phases differ.
 void add_swirls(ComplexGrid &grid, const TurbulencePowers &powers, uint64_t stream) {
 	for (int j = 0; j < grid.height; j++) {
 		const int row = signed_row(j, grid.height);

@@ -6,13 +6,13 @@
 
 namespace undergrowth {
 
-/// Frozen wind: periodic maps of normal deviates, independent of the wind's speed. With bilinear interpolation all have a
-/// variance of 1.
+/// Frozen wind: periodic maps of normal deviates, independent of the wind's speed. With bilinear interpolation all have
+/// a variance of 1.
 ///
-/// Turbulence and eddies, along the wind and across it: two ranges of the spectra of Kaimal et al. (1972). `turbulence` has
-/// waves to 256 m, coherent across the wind by IEC 61400-1's exponential law. `eddies` has waves from 8 m to 4 km, about as
-/// wide as they are long. Their two components have the phases of one stream function, so eddies are swirls. With
-/// eddy_amount(), the sum has Kaimal's spectrum at each height.
+/// Turbulence and eddies, along the wind and across it: two ranges of the spectra of Kaimal et al. (1972). `turbulence`
+/// has waves to 256 m, coherent across the wind by IEC 61400-1's exponential law. `eddies` has waves from 8 m to 4 km,
+/// about as wide as they are long. Their two components have the phases of one stream function, so eddies are swirls.
+/// With eddy_amount(), the sum has Kaimal's spectrum at each height.
 ///
 /// Waves over a canopy (honami) by the analogy with a mixing layer (Raupach, Finnigan and Brunet 1996): a narrow band
 /// of wavelengths.

@@ -44,7 +44,8 @@ struct AirSnapshot {
 	AirPatterns open; ///< Above open ground. In metres of the places' axes.
 	AirPatterns canopy;
 	AirMap waves;
-	float waves_bent = 0.0f; ///< Displacement of waves along the wind per standard deviation of the eddies, in 1/PARTS of a texel.
+	float waves_bent =
+			0.0f; ///< Displacement of waves along the wind per standard deviation of the eddies, in 1/PARTS of a texel.
 };
 
 /// Velocity along the wind, mean + gust·(u + skew·(u² - 1)), and across it, side_gust·v.
@@ -119,7 +120,8 @@ struct WindKernels {
 	/// Both components of turbulence or eddies at the plants, in standard deviations.
 	void (*sample_turbulence)(
 			const AirMap &map, const float *x, const float *z, int count, float *along, float *across);
-	/// Waves over a canopy at the plants, in standard deviations. The map is displaced by bent·eddies[i] along the wind.
+	/// Waves over a canopy at the plants, in standard deviations. The map is displaced by bent·eddies[i] along the
+	/// wind.
 	void (*sample_waves)(const AirMap &map, float bent, const float *eddies, const float *x, const float *z, int count,
 			float *waves);
 	/// Converts both components of turbulence to velocities along x and z, in place.

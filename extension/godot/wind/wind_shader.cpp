@@ -39,8 +39,8 @@ static Ref<Image> picture_of(int width, int height, Image::Format format, Image:
 static WindTextures make_textures(const AirTiles &tiles) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const auto pairs = [&](const std::vector<uint64_t> &cells) {
-		return server->texture_2d_create(picture_of(
-				AirTiles::WIDTH, AirTiles::HEIGHT, Image::FORMAT_RGF, Image::FORMAT_RGH, cells.data()));
+		return server->texture_2d_create(
+				picture_of(AirTiles::WIDTH, AirTiles::HEIGHT, Image::FORMAT_RGF, Image::FORMAT_RGH, cells.data()));
 	};
 	return { pairs(tiles.turbulence), pairs(tiles.eddies),
 		server->texture_2d_create(picture_of(AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT, Image::FORMAT_RF,
@@ -75,7 +75,8 @@ static void show_map(const AirMap &map, const RID &material, const StringName &s
 	server->material_set_param(material, texels, TEXEL * Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
 }
 
-// The rows of a map by the turns of a sine: their number at the world's origin and per metre of x and z, and the texels.
+// The rows of a map by the turns of a sine: their number at the world's origin and per metre of x and z, and the
+// texels.
 static void show_sway(const AirMap &map, const RID &material, const StringName &name) {
 	RenderingServer::get_singleton()->material_set_param(
 			material, name, Vector4(map.turn, map.turn_x, map.turn_z, map.sway / AirMap::PARTS));

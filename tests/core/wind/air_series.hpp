@@ -37,7 +37,8 @@ public:
 			x(std::move(along_x)), z(std::move(along_z)), heights(x.size(), height) {
 		wind.wind.kind = undergrowth::WindKind::air;
 		wind.air = air;
-		wind.tiles = std::shared_ptr<const undergrowth::AirTiles>(&shared_tiles(), [](const undergrowth::AirTiles *) {});
+		wind.tiles =
+				std::shared_ptr<const undergrowth::AirTiles>(&shared_tiles(), [](const undergrowth::AirTiles *) {});
 		const auto above = static_cast<double>(height);
 		const auto rough = static_cast<double>(air.roughness);
 		mean = air.speed * static_cast<float>(undergrowth::open_ground_speed(above, rough));

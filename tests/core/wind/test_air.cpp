@@ -156,8 +156,8 @@ TEST_CASE("waves over a canopy have the speed and distance of those in a mixing 
 	const std::vector<float> now = wave_line(air, 0.0), later = wave_line(air, 0.2);
 	const double speed = 0.02 * static_cast<double>(best_lag(now, later, 1, 60)) / 0.2;
 	const double spacing = 0.02 * static_cast<double>(best_lag(now, now, 60, 140));
-	figures::record(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", canopy_pattern_speed(air), speed,
-			2, " m/s");
+	figures::record(figures::WIND, "speed of waves over half a metre of grass, fresh breeze", canopy_pattern_speed(air),
+			speed, 2, " m/s");
 	figures::record(figures::WIND, "their length", waves_length(air), spacing, 2, " m");
 	CHECK(std::fabs(speed / canopy_pattern_speed(air) - 1.0) < WAVES_SPEED_TOLERANCE);
 	CHECK(std::fabs(spacing / waves_length(air) - 1.0) < WAVES_SPACING_TOLERANCE);

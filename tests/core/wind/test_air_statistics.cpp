@@ -225,8 +225,8 @@ TEST_CASE("at 10 m the gust of three seconds is as strong as Davenport's") {
 	const double intensity = open_ground_gusts(10.0, 0.03) / open_ground_speed(10.0, 0.03);
 	for (const float speed : SPEEDS) {
 		double gust = 0.0;
-		for (const Series &series :
-				WindAt(open_air(speed), 10.0f, scattered(5, MANY, WIDE), scattered(6, MANY, WIDE)).series(6000, TENTH)) {
+		for (const Series &series : WindAt(open_air(speed), 10.0f, scattered(5, MANY, WIDE), scattered(6, MANY, WIDE))
+						.series(6000, TENTH)) {
 			gust += (greatest_mean(series.along, 30) - mean_of(series.along)) / MANY;
 		}
 		const double factor = 1.0 + intensity * gust;
@@ -234,7 +234,8 @@ TEST_CASE("at 10 m the gust of three seconds is as strong as Davenport's") {
 		MESSAGE("gust factor at " << speed << " m/s: " << factor << ", Davenport " << expected);
 		CHECK(std::fabs(factor / expected - 1.0) < GUST_TOLERANCE);
 		if (speed == 9.3f) {
-			figures::record(figures::WIND, "gust factor of three seconds at 10 m, 9.3 m/s (Davenport)", expected, factor, 2);
+			figures::record(
+					figures::WIND, "gust factor of three seconds at 10 m, 9.3 m/s (Davenport)", expected, factor, 2);
 		}
 	}
 }
@@ -260,7 +261,7 @@ TEST_CASE("gusts have the lengths of Kaimal's spectrum at each height") {
 		MESSAGE(height << " m: " << length / expected);
 		CHECK(std::fabs(length / expected - 1.0) < LENGTH_TOLERANCE);
 		figures::record(figures::WIND,
-				height < 2.0f		   ? "integral length at 1 m (Kaimal)"
+				height < 2.0f			? "integral length at 1 m (Kaimal)"
 						: height < 3.0f ? "at 2 m"
 										: "at 10 m",
 				expected, length, 1, " m");
@@ -304,7 +305,8 @@ TEST_CASE("the spectrum at each height is Kaimal's") {
 }
 
 TEST_CASE("at three metres per second turbulence arrives a second later three metres downwind") {
-	const std::vector<Series> both = WindAt(plain_air(CARRIED), 1.0f, { 0.0f, 0.0f }, { 0.0f, 3.0f }).series(4000, 0.02);
+	const std::vector<Series> both =
+			WindAt(plain_air(CARRIED), 1.0f, { 0.0f, 0.0f }, { 0.0f, 3.0f }).series(4000, 0.02);
 	const std::vector<float> &here = both[0].along, &there = both[1].along;
 	std::size_t best = 0;
 	for (std::size_t lag = 0; lag < 150; lag++) {
@@ -330,8 +332,9 @@ TEST_CASE("the wind at a position does not repeat within an hour") {
 				lags.push_back(lag);
 			}
 			// Where the maps repeat.
-			for (const auto &[length, carried] : { std::pair{ AirTiles::WIDTH * AirTiles::LENGTH_STEP, turbulence_speed(air) },
-						 std::pair{ AirTiles::WIDTH * AirTiles::EDDY_LENGTH_STEP, eddies_speed(air) } }) {
+			for (const auto &[length, carried] :
+					{ std::pair{ AirTiles::WIDTH * AirTiles::LENGTH_STEP, turbulence_speed(air) },
+							std::pair{ AirTiles::WIDTH * AirTiles::EDDY_LENGTH_STEP, eddies_speed(air) } }) {
 				for (double lag = length / carried; lag < 3600.0; lag += length / carried) {
 					lags.push_back(lag);
 				}
@@ -343,7 +346,8 @@ TEST_CASE("the wind at a position does not repeat within an hour") {
 		}
 	}
 	MESSAGE("largest correlation " << worst);
-	figures::record_error(figures::WIND, "likeness of the wind at a place and 40 s to an hour later", MAX_CORRELATION, worst);
+	figures::record_error(
+			figures::WIND, "likeness of the wind at a place and 40 s to an hour later", MAX_CORRELATION, worst);
 	CHECK(worst < MAX_CORRELATION + error);
 }
 
@@ -365,8 +369,8 @@ TEST_CASE("gusts cross a meadow as a whole") {
 		MESSAGE(height << " m: " << std::sqrt(squares));
 		CHECK(std::sqrt(squares) > MIN_PATCH);
 		if (height == 1.0f) {
-			figures::record(figures::WIND, "standard deviations that the mean over 30 × 30 m keeps, 1 m, at least", MIN_PATCH,
-					std::sqrt(squares), 2);
+			figures::record(figures::WIND, "standard deviations that the mean over 30 × 30 m keeps, 1 m, at least",
+					MIN_PATCH, std::sqrt(squares), 2);
 		}
 	}
 }
@@ -397,7 +401,8 @@ TEST_CASE("large eddies are swirls") {
 		stress += static_cast<double>(here.along[i] * here.across[i]) / MANY;
 	}
 	const double correlation = both / std::sqrt(along * across);
-	figures::record(figures::WIND, "correlation of du/dx and dv/dy of large eddies, at most", MAX_SWIRL, correlation, 2);
+	figures::record(
+			figures::WIND, "correlation of du/dx and dv/dy of large eddies, at most", MAX_SWIRL, correlation, 2);
 	CHECK(correlation < MAX_SWIRL);
 	CHECK(std::fabs(stress) < 0.1);
 }
