@@ -39,10 +39,18 @@ func _materials() -> Dictionary[String, Material]:
 	var made: Dictionary[String, Material] = {}
 	for name: String in SHADERS:
 		var material := ShaderMaterial.new()
-		material.shader = load(SHADERS[name])
+		material.shader = Shader.new()
+		material.shader.code = _for_single_meshes(load(SHADERS[name]))
 		made[name] = material
 	made["StandardMaterial3D"] = _plain_material()
 	return made
+
+
+## Returns the code of a shader for the meshes of generate_mesh(), whose vertices are not packed.
+func _for_single_meshes(shader: Shader) -> String:
+	var folder := shader.resource_path.get_base_dir()
+	var code := shader.code.replace("#define UNDERGROWTH_PACKED\n", "")
+	return code.replace('#include "', '#include "%s/' % folder)
 
 
 func _plain_material() -> StandardMaterial3D:

@@ -8,6 +8,13 @@ const MAX_PART_PIXELS := 50
 const LIGHTS: Array[float] = [0.0, 3.0]
 const LEAN := deg_to_rad(20.0)
 
+const MAX_PACKED_PIXELS := 20  # Rounded positions move an edge over the centre of a pixel.
+const UNPACKED := """shader_type spatial;
+render_mode blend_mix, depth_draw_opaque, cull_disabled;
+#include "res://addons/undergrowth/shaders/undergrowth_bend.gdshaderinc"
+#include "res://addons/undergrowth/shaders/undergrowth_parts.gdshaderinc"
+"""
+
 var _field: PlantField3D
 var _wind: PlantWind
 
@@ -50,6 +57,22 @@ func test_leaves_on_a_slope_are_still_without_wind() -> void:
 	var after := await picture()
 	check(count_different(before, empty_picture()) > MIN_PLANT, "a plant is drawn")
 	check_equal(count_different(before, after), 0, "pixels that changed")
+
+
+func test_packed_vertices_look_as_other_vertices_do() -> void:
+	var packed := await _picture_of(_tulip())
+	var unpacked := await _picture_of(_tulip_with(UNPACKED))
+	check(count_different(packed, empty_picture()) > MIN_PLANT, "a plant is drawn")
+	var different := count_different(packed, unpacked)
+	check(different <= MAX_PACKED_PIXELS, "%d pixels differ" % different)
+
+
+func test_a_shader_may_read_packed_vertices() -> void:
+	var own := UNPACKED.replace("cull_disabled;", "cull_disabled;\n#define UNDERGROWTH_PACKED")
+	var different := count_different(
+		await _picture_of(_tulip()), await _picture_of(_tulip_with(own))
+	)
+	check_equal(different, 0, "pixels that differ from the default shader")
 
 
 func test_leaves_move_in_steady_wind_and_stop_with_the_field() -> void:
@@ -167,6 +190,22 @@ func _tulip() -> PlantFunction:
 	species.material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
 	species.material.set_shader_parameter(&"bent_brightness", 0.0)
 	return species
+
+
+func _tulip_with(code: String) -> PlantFunction:
+	var species := _tulip()
+	species.material.shader = Shader.new()
+	species.material.shader.code = code
+	return species
+
+
+## Returns the picture of a plant in a field of its own, 13 steps after it was added.
+func _picture_of(species: PlantFunction) -> Image:
+	_field.free()
+	_field = await make_added_field(_wind)
+	_field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], species)
+	_step_field(13)
+	return await picture()
 
 
 func _lit_tulip(law: PlantFunction.MotionLaw) -> PlantFunction:

@@ -59,6 +59,8 @@ namespace undergrowth {
 // nearer to the pivot, by the amount that turns a straight blade into an arc of its own length. The tangent turns twice
 // as far. A head turns as a whole. motion/part_bend.hpp has the amounts.
 //
+// Fields with the add-on's material pack these attributes, except VERTEX and COLOR (mesh/packed_vertex.hpp).
+//
 // A lathe without parts (mesh/plant_mesh.hpp) has only CUSTOM0.x. Renderers then read (x, 0, 0, 1) for CUSTOM0: no own
 // swing, drawn at all distances, full leafiness, which is correct for a lathe. CUSTOM1 and CUSTOM2 only have an effect
 // if CUSTOM0.y is not 0 or parts are widened. A shader that only uses CUSTOM0.x bends every plant correctly.

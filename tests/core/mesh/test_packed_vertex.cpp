@@ -70,8 +70,8 @@ VertexAttributes attributes(int seed) {
 	};
 	VertexAttributes all;
 	all.normal = glm::normalize(glm::vec3(toss(-1, 1), toss(-1, 1), toss(-1, 1)) + glm::vec3(1e-4f));
-	all.tangent = glm::normalize(
-			glm::cross(all.normal, glm::vec3(toss(-1, 1), toss(-1, 1), toss(-1, 1)) + glm::vec3(1e-4f)));
+	all.tangent =
+			glm::normalize(glm::cross(all.normal, glm::vec3(toss(-1, 1), toss(-1, 1), toss(-1, 1)) + glm::vec3(1e-4f)));
 	all.uv = { toss(0, 1), toss(0, 1) };
 	all.custom0 = { toss(0, 1.5f), toss(0, 1), std::floor(toss(0, 200)) + std::floor(toss(0, 255)) / 256.0f,
 		toss(0, 1) };
