@@ -8,11 +8,6 @@ const ScenePlants := preload("scene_plants.gd")
 const Translations := preload("../translations/translations.gd")
 const ICON := preload("../../icons/PlantWind.svg")
 
-const HINT := (
-	"Moves all plants of this scene in their wind, in the editor only. "
-	+ "The scene does not change."
-)
-
 var _state: EditorState
 var _is_pending := false
 
@@ -23,7 +18,7 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	name = "Sway"
 	set_translation_domain(Translations.DOMAIN)
 	text = "Sway"
-	tooltip_text = HINT
+	tooltip_text = tr("Moves the plants of this scene in their wind, in the editor only.")
 	icon = ICON
 	toggle_mode = true
 	theme_type_variation = &"FlatButton"
