@@ -63,10 +63,10 @@ VertexAttributes unpacked(const PackedVertex &packed) {
 	return all;
 }
 
-VertexAttributes attributes(int seed) {
+VertexAttributes attributes(uint32_t seed) {
 	const auto toss = [&](float low, float high) {
-		seed = seed * 1103515245 + 12345;
-		return low + (high - low) * float((uint32_t(seed) >> 8) & 0xffffu) / 65535.0f;
+		seed = seed * 1103515245u + 12345u;
+		return low + (high - low) * float((seed >> 8) & 0xffffu) / 65535.0f;
 	};
 	VertexAttributes all;
 	all.normal = glm::normalize(glm::vec3(toss(-1, 1), toss(-1, 1), toss(-1, 1)) + glm::vec3(1e-4f));
@@ -89,7 +89,7 @@ float angle_between(const glm::vec3 &one, const glm::vec3 &other) {
 } // namespace
 
 TEST_CASE("a packed vertex keeps its attributes within their steps") {
-	for (int seed = 1; seed <= 2000; seed++) {
+	for (uint32_t seed = 1; seed <= 2000; seed++) {
 		const VertexAttributes all = attributes(seed);
 		const VertexAttributes read = unpacked(pack_vertex(all));
 		CAPTURE(seed);
@@ -133,7 +133,7 @@ TEST_CASE("a packed vertex keeps zeros, ends of ranges and axes exactly") {
 }
 
 TEST_CASE("an offset that is equal to the stem place stays equal to it") {
-	for (int seed = 1; seed <= 500; seed++) {
+	for (uint32_t seed = 1; seed <= 500; seed++) {
 		VertexAttributes all = attributes(seed);
 		all.custom0.x = all.stem_place;
 		const VertexAttributes read = unpacked(pack_vertex(all));
@@ -142,7 +142,7 @@ TEST_CASE("an offset that is equal to the stem place stays equal to it") {
 }
 
 TEST_CASE("words of a packed vertex are normal floats") {
-	for (int seed = 1; seed <= 2000; seed++) {
+	for (uint32_t seed = 1; seed <= 2000; seed++) {
 		for (const float word : pack_vertex(attributes(seed)).words) {
 			REQUIRE(std::isnormal(word));
 		}
