@@ -10,6 +10,7 @@ const TABLE_TOP := 1.5
 
 func test_without_a_scene_the_dock_gives_advice() -> void:
 	await open_page("Plant")
+	await _choose("Tulip")
 	await _close_all_scenes()
 	check(EditorInterface.get_edited_scene_root() == null, "no scene is open")
 	await _use("Add")
