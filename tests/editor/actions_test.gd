@@ -108,6 +108,15 @@ func _open_scene(path: String, root: Node) -> void:
 	await frames(5)
 
 
+## Closes all scenes, opens this one in the 3D view, and returns its root.
+func _open_alone(path: String, root: Node) -> Node3D:
+	await _close_all_scenes()
+	await _open_scene(path, root)
+	EditorInterface.set_main_screen_editor("3D")
+	await frames(10)
+	return EditorInterface.get_edited_scene_root() as Node3D
+
+
 func _close_all_scenes() -> void:
 	for i in 10:
 		if not EditorInterface.get_edited_scene_root():

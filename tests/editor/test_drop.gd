@@ -174,8 +174,4 @@ func _open_ramp() -> Node3D:
 	ramp.use_collision = true
 	root.add_child(ramp)
 	ramp.owner = root
-	await _close_all_scenes()
-	await _open_scene(SCENE, root)
-	EditorInterface.set_main_screen_editor("3D")
-	await frames(10)
-	return EditorInterface.get_edited_scene_root() as Node3D
+	return await _open_alone(SCENE, root)

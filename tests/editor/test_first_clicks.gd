@@ -227,11 +227,7 @@ func _open_terrain() -> Node3D:
 	for child: Node in [seen, shape]:
 		body.add_child(child)
 		child.owner = root
-	await _close_all_scenes()
-	await _open_scene(SCENE, root)
-	EditorInterface.set_main_screen_editor("3D")
-	await frames(10)
-	return EditorInterface.get_edited_scene_root() as Node3D
+	return await _open_alone(SCENE, root)
 
 
 static func _make_terrain() -> ArrayMesh:

@@ -20,8 +20,8 @@ struct VertexAttributes {
 	float stem_place = 0.0f; ///< CUSTOM3.y.
 };
 
-/// The same in two attributes of four floats: graphics cards read attributes one by one, and each costs about the same
-/// whatever its size. undergrowth_packed.gdshaderinc reads it.
+/// The same in two attributes of four floats. For a graphics card each attribute costs about the same, whatever its
+/// size. undergrowth_packed.gdshaderinc reads it.
 ///
 /// A word has 30 bits, from the lowest to the highest:
 ///

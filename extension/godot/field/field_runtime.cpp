@@ -177,7 +177,8 @@ void FieldRuntime::change_materials() {
 
 bool FieldRuntime::needs_other_meshes() const {
 	return std::any_of(setup.styles.begin(), setup.styles.end(), [this](const SpeciesStyle &style) {
-		return style.function.is_valid() && style.has_other_meshes(node->get_material_override());
+		return style.function.is_valid() &&
+				style.needs_other_meshes(style.drawn_material(node->get_material_override()));
 	});
 }
 

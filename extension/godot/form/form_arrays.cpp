@@ -12,11 +12,9 @@ using namespace godot;
 namespace undergrowth {
 
 // All are floats: the Compatibility renderer reads two of four half floats only.
-static constexpr int64_t CUSTOM_FORMAT =
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM2_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM3_SHIFT));
+static constexpr int64_t CUSTOM_FORMAT = custom_format(0, Mesh::ARRAY_CUSTOM_RGBA_FLOAT) |
+		custom_format(1, Mesh::ARRAY_CUSTOM_RGBA_FLOAT) | custom_format(2, Mesh::ARRAY_CUSTOM_RGBA_FLOAT) |
+		custom_format(3, Mesh::ARRAY_CUSTOM_RGBA_FLOAT);
 
 // The engine's arrays of a mesh, with their size, as buffers of the core.
 struct FormArrays {

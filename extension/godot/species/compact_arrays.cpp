@@ -14,11 +14,6 @@ namespace undergrowth {
 static constexpr int CUSTOMS = 4;
 static constexpr int HALF_BYTES = 2;
 
-static int64_t custom_format(int custom, Mesh::ArrayCustomFormat format) {
-	static constexpr int BITS = Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT - Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT;
-	return int64_t(format) << (int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT) + BITS * custom);
-}
-
 // Returns the first `count` of every four numbers as half floats.
 static PackedByteArray halves_of(const PackedFloat32Array &numbers, int count) {
 	PackedByteArray packed;

@@ -11,8 +11,7 @@ namespace undergrowth {
 
 static constexpr int HALF_WORDS = PackedVertex::WORDS / 2;
 static constexpr int64_t FORMAT = int64_t(Mesh::ARRAY_FLAG_COMPRESS_ATTRIBUTES) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT)) |
-		(int64_t(Mesh::ARRAY_CUSTOM_RGBA_FLOAT) << int64_t(Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT));
+		custom_format(0, Mesh::ARRAY_CUSTOM_RGBA_FLOAT) | custom_format(1, Mesh::ARRAY_CUSTOM_RGBA_FLOAT);
 
 namespace {
 

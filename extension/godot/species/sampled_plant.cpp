@@ -22,8 +22,7 @@ float SampledPlant::widest() const {
 
 // Without a skeleton, shaders do not get the bones' weights. The shader of fields reads the weight of the tip from
 // here.
-static constexpr int64_t CUSTOM_FORMAT = int64_t(Mesh::ARRAY_CUSTOM_R_FLOAT)
-		<< int64_t(Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT);
+static constexpr int64_t CUSTOM_FORMAT = custom_format(0, Mesh::ARRAY_CUSTOM_R_FLOAT);
 
 static PackedFloat32Array tip_weights(const PackedFloat32Array &weights) {
 	PackedFloat32Array of_tip;

@@ -18,6 +18,12 @@ namespace undergrowth {
 class GrownPlant;
 class SharedCards;
 
+/// Returns the format of a custom attribute, 0 to 3, as bits of MeshArrays::format.
+constexpr int64_t custom_format(int custom, godot::Mesh::ArrayCustomFormat format) {
+	constexpr int BITS = godot::Mesh::ARRAY_FORMAT_CUSTOM1_SHIFT - godot::Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT;
+	return int64_t(format) << (int64_t(godot::Mesh::ARRAY_FORMAT_CUSTOM0_SHIFT) + BITS * custom);
+}
+
 /// All data of a plant's mesh in the engine.
 struct MeshArrays {
 	godot::Array arrays;

@@ -153,8 +153,8 @@ Ref<ArrayMesh> SharedMesh::make() {
 		}
 		from = arrays;
 	}
-	const bool is_packed = plant.is_packed && from.has_parts;
-	const Ref<ArrayMesh> made = (is_packed ? pack_arrays(from) : compact_arrays(from, !is_compatibility())).make();
+	const Ref<ArrayMesh> made =
+			(plant.is_packed ? pack_arrays(from) : compact_arrays(from, !is_compatibility())).make();
 	const std::lock_guard<std::mutex> lock(building);
 	if (mesh.is_null()) {
 		mesh = made;

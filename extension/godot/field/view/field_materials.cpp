@@ -191,10 +191,10 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 	}
 	followed_style = (followed_style + 1) % setup.styles.size();
 	const SpeciesStyle &style = setup.styles[followed_style];
-	if (style.has_other_meshes(node->get_material_override())) {
+	const Ref<Material> source = style.drawn_material(node->get_material_override());
+	if (style.needs_other_meshes(source)) {
 		return; // Until the next build.
 	}
-	const Ref<Material> source = style.present_material(node->get_material_override());
 	for (size_t i = 0; i < style.materials.size(); i++) {
 		follow_material(source, style.materials[i], style.drawn_parts(i), style.is_packed);
 	}

@@ -33,7 +33,7 @@ int SpeciesStyle::segments_at(const FieldLevel &level) const {
 	return is_by_error ? level.lod : std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
 }
 
-static Ref<Material> drawn_material(const Ref<PlantFunction> &function, const Ref<Material> &material_override) {
+Ref<Material> SpeciesStyle::drawn_material(const Ref<Material> &material_override) const {
 	return material_override.is_valid() ? material_override : function->get_material();
 }
 
@@ -42,13 +42,10 @@ bool SpeciesStyle::needs_other_meshes(const Ref<Material> &material) const {
 			(has_parts() && is_packed != reads_packed_vertices(material));
 }
 
-bool SpeciesStyle::has_other_meshes(const Ref<Material> &material_override) const {
-	return needs_other_meshes(drawn_material(function, material_override));
-}
-
 Ref<Material> SpeciesStyle::present_material(const Ref<Material> &material_override) const {
-	if (!has_other_meshes(material_override)) {
-		return drawn_material(function, material_override);
+	const Ref<Material> material = drawn_material(material_override);
+	if (!needs_other_meshes(material)) {
+		return material;
 	}
 	return needs_other_meshes(sampled_material) ? Ref<Material>() : sampled_material;
 }
@@ -83,7 +80,7 @@ String SpeciesStyle::sample_next(
 		}
 		if (level == 0) {
 			is_by_error = by_error && sampled.grown;
-			take_needs(sampled, drawn_material(function, material_override));
+			take_needs(sampled, drawn_material(material_override));
 			sampled.lod = sampled.grown ? segments_at(levels[level]) : sampled.lod;
 			variants.push_back({ own_seed, sampled.height });
 		}

@@ -71,10 +71,12 @@ struct SpeciesStyle {
 	/// `material_override`: the node's, or null.
 	godot::String sample_next(const std::vector<FieldLevel> &levels, bool is_by_error,
 			const godot::Ref<godot::Material> &material_override);
-	/// True if its material cannot draw its meshes as they are: it draws cards or reads packed vertices, and the one
-	/// for which it was sampled does not, or the other way round.
-	bool has_other_meshes(const godot::Ref<godot::Material> &material_override) const;
-	/// Returns its material, or as long as that cannot draw its meshes, the one for which they were made.
+	/// Returns the node's material override, or the function's material if that is null.
+	godot::Ref<godot::Material> drawn_material(const godot::Ref<godot::Material> &material_override) const;
+	/// True if `material` cannot draw its meshes as they are: it draws cards or reads packed vertices, and the one for
+	/// which they were made does not, or the other way round.
+	bool needs_other_meshes(const godot::Ref<godot::Material> &material) const;
+	/// Returns drawn_material(), or the material for which its meshes were made while the former needs other meshes.
 	godot::Ref<godot::Material> present_material(const godot::Ref<godot::Material> &material_override) const;
 	/// Measures the errors of all levels if they are chosen by error. Any thread.
 	void measure();
@@ -123,7 +125,6 @@ struct SpeciesStyle {
 	}
 
 private:
-	bool needs_other_meshes(const godot::Ref<godot::Material> &material) const;
 	void take_needs(SampledPlant &sampled, const godot::Ref<godot::Material> &material);
 	void build_meshes();
 	LevelLooks measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
