@@ -17,6 +17,9 @@ var _written := 0
 
 
 func test_script_without_tool_is_explained() -> void:
+	await open_page("Plant")
+	var tulip := find_item("Tulip")
+	await click_item(tulip[0], tulip[1])
 	await _write(FILE, NOT_TOOL)
 	await _choose(FILE)
 	_check_status("@tool")
