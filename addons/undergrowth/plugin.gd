@@ -15,6 +15,8 @@ const SWAY := "editor/wind_page/sway_button.gd"
 const BRUSH := "editor/brush/field_brush.gd"
 const DROP_AREA := "editor/field/drop_area.gd"
 const GROUND_WATCH := "editor/field/ground_watch.gd"
+const FLAT_FIELDS := "editor/field/flat_fields.gd"
+const CREATED_FIELDS := "editor/field/created_fields.gd"
 const THUMBNAILS := "editor/thumbnails/plant_thumbnails.gd"
 const EXPORT_CHECK := "editor/export/library_check.gd"
 const TRANSLATIONS := "editor/translations/translations.gd"
@@ -41,6 +43,10 @@ var _brush: RefCounted
 var _drop_areas: Array[Control] = []
 # Fills fields again whose ground was moved: editor/field/ground_watch.gd.
 var _ground_watch: RefCounted
+# Warns about fields that are not on the ground: editor/field/flat_fields.gd.
+var _flat_fields: RefCounted
+# Lays fields of the Create Node dialog on the ground: editor/field/created_fields.gd.
+var _created_fields: RefCounted
 var _thumbnails: EditorResourcePreviewGenerator
 var _export_check: EditorExportPlugin
 var _translations: Script
@@ -81,6 +87,10 @@ func _exit_tree() -> void:
 	_drop_areas.clear()
 	_ground_watch.call(&"close")
 	_ground_watch = null
+	_flat_fields.call(&"close")
+	_flat_fields = null
+	_created_fields.call(&"close")
+	_created_fields = null
 	_placeholder.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
 	remove_export_plugin(_export_check)
@@ -190,6 +200,10 @@ func _add_helpers() -> void:
 	_drop_areas = _load(DROP_AREA).call(&"add_to_views", accepts, Callable(dock, &"drop"))
 	_ground_watch = (_load(GROUND_WATCH) as GDScript).new()
 	_ground_watch.call(&"setup", self)
+	_flat_fields = (_load(FLAT_FIELDS) as GDScript).new()
+	_flat_fields.call(&"setup", self)
+	_created_fields = (_load(CREATED_FIELDS) as GDScript).new()
+	_created_fields.call(&"setup", _dock_state())
 	_thumbnails = (_load(THUMBNAILS) as GDScript).new()
 	EditorInterface.get_resource_previewer().add_preview_generator(_thumbnails)
 	_export_check = (_load(EXPORT_CHECK) as GDScript).new()

@@ -25,6 +25,12 @@ void FieldProblems::advise(const String &what) {
 	}
 }
 
+void FieldProblems::advise_on_place(const String &what) {
+	if (std::exchange(off_ground, what) != what) {
+		node->update_configuration_warnings();
+	}
+}
+
 void FieldProblems::report_motion(FieldMotion &motion) {
 	if (motion.is_crowded() && !std::exchange(has_reported_crowd, true)) {
 		report_warning(node,
@@ -38,7 +44,7 @@ void FieldProblems::report_motion(FieldMotion &motion) {
 
 PackedStringArray FieldProblems::warnings() const {
 	PackedStringArray texts;
-	for (const String &one : { fault, no_ground }) {
+	for (const String &one : { fault, no_ground, off_ground }) {
 		if (!one.is_empty()) {
 			texts.push_back(one);
 		}

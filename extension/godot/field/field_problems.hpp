@@ -21,6 +21,8 @@ public:
 	/// Sets advice for a field whose plants found no ground, as a configuration warning. Empty: some plants found
 	/// ground.
 	void advise(const godot::String &what);
+	/// Sets advice of the editor's plugin on the field's place, as a configuration warning. Empty: none.
+	void advise_on_place(const godot::String &what);
 	/// Prints warnings about contact and bodies: once if contacts are skipped because too many tips are close together,
 	/// and once for each body that cannot push.
 	void report_motion(FieldMotion &motion);
@@ -32,6 +34,7 @@ private:
 	const FieldProperties &properties;
 	godot::String fault;
 	godot::String no_ground;
+	godot::String off_ground;
 	bool has_reported_crowd = false;
 };
 

@@ -138,6 +138,8 @@ public:
 	double get_motion_time() const { return runtime.motion.motion_time(); }
 	/// Moves the field by `delta` seconds under `blowing`, if it does not move by itself, as in the editor.
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
+	/// Sets a configuration warning of the editor's plugin, which finds the ground. Empty: none.
+	void advise(const godot::String &text) { problems.advise_on_place(text); }
 
 	// View.
 	int64_t get_skeleton_plant(const godot::Skeleton3D *skeleton) const;

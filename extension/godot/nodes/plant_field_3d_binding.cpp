@@ -208,6 +208,7 @@ void PlantField3D::_bind_methods() {
 	LISTEN(on_physics_frame);
 	LISTEN(on_frame_drawn);
 	LISTEN(preview, "delta", "wind");
+	LISTEN(advise, "text");
 	BIND(rebuild);
 	BIND(is_building);
 	BIND(build_now);

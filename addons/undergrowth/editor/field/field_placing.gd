@@ -15,24 +15,25 @@ const LAID: Array[StringName] = [
 ## Moves [param field] to the ground at its centre and sets its ground mode, as one step of undo.
 ## Returns false if the scene of [param root] has no ground there.
 static func place(undo: EditorUndoRedoManager, root: Node, field: PlantField3D) -> bool:
-	var place := _find(root, field)
-	if not place:
+	var found := find(root, field)
+	if not found:
 		return false
 	var laid := PlantField3D.new()
 	laid.ground_collision_mask = field.ground_collision_mask
-	place.lay(laid, field.get_parent())
+	found.lay(laid, field.get_parent())
 	undo.create_action(Translations.text("Place on Ground"), UndoRedo.MERGE_DISABLE, field)
 	for property in LAID:
 		undo.add_do_property(field, property, laid.get(property))
 		undo.add_undo_property(field, property, field.get(property))
-	undo.add_do_property(field, &"global_position", place.point)
+	undo.add_do_property(field, &"global_position", found.point)
 	undo.add_undo_property(field, &"global_position", field.global_position)
 	undo.commit_action()
 	laid.free()
 	return true
 
 
-static func _find(root: Node, field: PlantField3D) -> NewPlace:
+## Returns the ground below [param field], or above it, or null.
+static func find(root: Node, field: PlantField3D) -> NewPlace:
 	for start in STARTS:
 		var from := field.global_position + Vector3.UP * start
 		var found: NewPlace = NewPlace.find_along(field.get_world_3d(), root, from, Vector3.DOWN)
