@@ -52,7 +52,7 @@ func test_add_as_field_is_one_step() -> void:
 	check_equal(root.get_child_count(), 2, "children after adding")
 	var field := root.get_child(-1) as PlantField3D
 	check(field != null and field.owner == root, "it is a field, saved with the scene")
-	check_equal(field.name, &"TulipField", "its name")
+	check_equal(field.name, &"Tulip", "its name")
 	check(field.species[0].species is TulipFunction, "tulips grow in it")
 	check(
 		field.species[0].species != _state().function,
@@ -64,7 +64,7 @@ func test_add_as_field_is_one_step() -> void:
 	check_equal(
 		EditorInterface.get_selection().get_selected_nodes(), [field] as Array[Node], "selected"
 	)
-	check(_message().contains("TulipField"), "the message: " + _message())
+	check(_message().contains("Tulip"), "the message: " + _message())
 	check(await until(func() -> bool: return field.get_plant_count() > 0), "plants exist in it")
 	await undo()
 	check_equal(root.get_child_count(), 1, "children after undo")

@@ -27,8 +27,8 @@ func test_ready_mixes_and_species_come_first() -> void:
 
 
 func test_names_are_uncut_and_in_every_language() -> void:
-	check(find_item("Ox-eye daisy")[0] != null, "a file may say what it is called")
-	check(find_item("Garden tulip")[0] != null, "else its name is made readable")
+	check(find_item("Ox-eye Daisy")[0] != null, "a file may say what it is called")
+	check(find_item("Garden Tulip")[0] != null, "else its name is made readable")
 	for name: String in LISTS.slice(0, 3):
 		var list := part("Plant/List/" + name) as ItemList
 		var font := list.get_theme_font(&"font")
@@ -63,7 +63,7 @@ func test_files_of_plants_of_parts_are_painted() -> void:
 
 func test_a_ready_species_stays_in_its_file() -> void:
 	var root := await _open_garden()
-	await _choose("Garden tulip")
+	await _choose("Garden Tulip")
 	await _use("Add")
 	var plant := root.get_child(-1) as Plant3D
 	check_equal(plant.species.resource_path, TULIP, "the scene names the file")
@@ -86,7 +86,7 @@ func test_a_ready_species_stays_in_its_file() -> void:
 func test_a_field_is_as_dense_as_suits_its_plants() -> void:
 	var root := await _open_garden()
 	var densities: Array[float] = []
-	for title: String in ["Common reed", "Meadow grass", "Lawn grass"]:
+	for title: String in ["Common Reed", "Meadow Grass", "Lawn Grass"]:
 		await _choose(title)
 		await _use("AddField")
 		var field := root.get_child(-1) as PlantField3D
@@ -102,7 +102,7 @@ func test_a_field_is_as_dense_as_suits_its_plants() -> void:
 
 func test_a_mix_is_shown_before_it_is_used() -> void:
 	await _open_garden()
-	await _choose("Reed bed")
+	await _choose("Reed Bed")
 	check(_state().mix != null and not _state().function, "a mix is chosen, no species")
 	var shown := part("Plant/Preview/Plants").get_child(-1) as PlantField3D
 	check(await until(func() -> bool: return shown.get_plant_count() > 10), "a piece is shown")

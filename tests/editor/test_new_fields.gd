@@ -99,7 +99,7 @@ func test_add_as_field_uses_the_ground_in_view() -> void:
 	await _use("AddField")
 	var field := _root.get_child(-1) as PlantField3D
 	check_equal(field.ground_mode, PlantField3D.GROUND_COLLIDERS, "ground mode")
-	check_equal(_message(), "Added TulipField to the scene.", "the message")
+	check_equal(_message(), "Added Tulip to the scene.", "the message")
 	camera.global_transform = before
 	await undo()
 

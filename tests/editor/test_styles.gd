@@ -14,7 +14,7 @@ func test_the_pages_for_species() -> void:
 	_select([])
 	await open_page("Plant")
 	check(await until(_has_pictures), "each species has its picture")
-	for shown: Array in [["Wheat", "species"], ["Meadow", "mix"], ["Own drawing", "curves"]]:
+	for shown: Array in [["Wheat", "species"], ["Meadow", "mix"], ["Own Drawing", "curves"]]:
 		await _choose(shown[0])
 		var counts := part("Plant/Preview/CountsPanel") as Control
 		check(await until(counts.is_visible_in_tree), "%s is there" % shown[0])

@@ -8,7 +8,7 @@ const GROUNDS := "res://addons/undergrowth/grounds/"
 
 func test_a_field_in_an_empty_scene_comes_with_ground_sun_and_sky() -> void:
 	var root := await _open_garden()
-	await _choose("Fern floor")
+	await _choose("Fern Floor")
 	_offer(true)
 	await _use("AddField")
 	var field := root.get_child(-1) as PlantField3D
@@ -47,7 +47,7 @@ func test_what_a_scene_has_is_not_added() -> void:
 	root.add_child(box)
 	box.owner = root
 	await frames(5)
-	await _choose("Meadow grass")
+	await _choose("Meadow Grass")
 	_offer(true)
 	await _use("AddField")
 	check_equal(root.find_children("*", "DirectionalLight3D").size(), 1, "suns")

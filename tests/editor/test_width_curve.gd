@@ -40,7 +40,7 @@ func test_a_drag_of_a_curve_that_undo_takes_away_changes_no_other() -> void:
 ## Returns the curve whose second point follows the pointer.
 func _begin_drag() -> Curve:
 	await open_page("Plant")
-	await _choose("Own drawing")
+	await _choose("Own Drawing")
 	await frames(2)
 	var curve := (_state().function as CurvePlantFunction).width_curve
 	var points := part("Plant/Points") as Control

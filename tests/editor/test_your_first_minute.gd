@@ -11,7 +11,7 @@ func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 	await _open_scene(SCENE, _make_garden())
 	EditorInterface.set_main_screen_editor("3D")
 	_use_a_first_users_wind()
-	await _choose("Own drawing")
+	await _choose("Own Drawing")
 	await _draw_a_bulb()
 	await _save()
 	_select([])

@@ -319,7 +319,7 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 void PlantField3D::bind_properties() {
 	ADD_GROUP("Plants", "");
 	PROPERTY(ARRAY, species, PROPERTY_HINT_ARRAY_TYPE, "24/17:PlantFieldSpecies");
-	NUMBER(FLOAT, density, placement, 0.0, 10000.0, SLIDER("0,100,0.01,or_greater,suffix:1/m²"));
+	NUMBER(FLOAT, density, placement, 0.0, 10000.0, SLIDER("0,100,0.01,or_greater,suffix:plants/m²"));
 	VALUE(INT, seed, placement);
 	NUMBER(FLOAT, clumping, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
 	NUMBER(FLOAT, clump_size, placement, 0.01, 1000.0, SLIDER("0.1,50,0.1,or_greater,suffix:m"));

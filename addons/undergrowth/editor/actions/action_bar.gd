@@ -167,9 +167,9 @@ func _on_assign_pressed() -> void:
 func _describe_assigned(plants: Array[Node3D]) -> String:
 	var is_field := func(plant: Node3D) -> bool: return plant is PlantField3D
 	if plants.any(is_field):
-		return tr("%s grows in what is selected now.") % _state.title
+		return tr("%s grows in what is selected now.") % tr(_state.title)
 	var message := tr_n("%d plant is %s now.", "%d plants are %s now.", plants.size())
-	return message % [plants.size(), _state.title]
+	return message % [plants.size(), tr(_state.title)]
 
 
 func _on_save_pressed() -> void:
@@ -306,7 +306,7 @@ func _find_root() -> Node:
 func _can_build() -> bool:
 	if _state.problem.is_empty():
 		return true
-	_fail("%s: %s" % [_state.title, _state.problem])
+	_fail("%s: %s" % [tr(_state.title), _state.problem])
 	return false
 
 

@@ -51,9 +51,14 @@ static func to_class_title(title: String) -> String:
 	return "" if words.is_empty() else words.to_pascal_case() + CLASS_ENDING
 
 
-## Returns the name of a node: the title without characters that Godot does not allow.
+## Returns the name of a node as the editor names them: "Meadow Grass" becomes "MeadowGrass".
 static func to_node_name(title: String) -> String:
-	var name := title.strip_edges().validate_node_name()
+	var name := ""
+	var begins := true
+	for letter in title:
+		var is_kept := _is_letter_or_digit(letter)
+		name += (letter.to_upper() if begins else letter) if is_kept else ""
+		begins = not is_kept
 	return name if not name.is_empty() else "Plant"
 
 

@@ -41,7 +41,7 @@ static func make_plant(function: PlantFunction, wind: PlantWind, title: String) 
 ## Returns a field of that species that is ready to be added, with the density for its size.
 static func make_field(function: PlantFunction, wind: PlantWind, title: String) -> PlantField3D:
 	var field := FieldDefaults.make_field(function)
-	field.name = FileNames.to_node_name(title) + "Field"
+	field.name = FileNames.to_node_name(title)
 	field.wind = wind
 	return field
 
@@ -73,7 +73,7 @@ static func assign(
 	function: PlantFunction,
 	wind: PlantWind
 ) -> void:
-	undo.create_action(Translations.text("Assign Species"), UndoRedo.MERGE_DISABLE, root)
+	undo.create_action(Translations.text("Use Species for Selected"), UndoRedo.MERGE_DISABLE, root)
 	for plant in plants:
 		if plant is PlantField3D:
 			_add_species(undo, plant as PlantField3D, function)

@@ -47,7 +47,8 @@ func refresh() -> void:
 	if _has_picked and _state.function and not FieldEntries.find(_field, _get_picked()):
 		_new_layer = _make_entry().get_layer_name()
 		names.append(_new_layer)
-	_settings.show_field(_field, _state.function if _new_layer else null, _new_layer)
+	var function := _state.function if _new_layer else null
+	_settings.show_field(_field, function, _new_layer, Translations.text(_state.title))
 	_keep_only(names)
 
 
@@ -70,10 +71,11 @@ func _on_picked() -> void:
 	if _new_layer:
 		_options.species = [_new_layer]
 		var message := Translations.text("The brush above the 3D view paints %s into %s.")
-		_state.report(message % [_state.title, _field.name])
+		_state.report(message % [Translations.text(_state.title), _field.name])
 	else:
 		_options.species = [FieldEntries.find(_field, _get_picked()).get_layer_name()]
-		_state.report(Translations.text("The brush above the 3D view paints %s.") % _state.title)
+		var message := Translations.text("The brush above the 3D view paints %s.")
+		_state.report(message % Translations.text(_state.title))
 
 
 func _keep_only(names: PackedStringArray) -> void:

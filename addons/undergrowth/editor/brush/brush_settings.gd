@@ -6,6 +6,7 @@ extends MarginContainer
 const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
 const DensitySlider := preload("density_slider.gd")
+const LayerTitles := preload("layer_titles.gd")
 const SpeciesMenu := preload("species_menu.gd")
 const Translations := preload("../translations/translations.gd")
 
@@ -55,31 +56,39 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Shows the species of [param field] (null: none), and [param new_species], which the field does
-## not contain yet. Its layer in the map will be [param title].
-func show_field(field: PlantField3D, new_species: PlantFunction = null, title := "") -> void:
+## Shows the species of [param field] (null: none), and [param new_species] with its title, which
+## the field does not contain yet. Its layer in the map will be [param new_layer].
+func show_field(
+	field: PlantField3D, new_species: PlantFunction = null, new_layer := "", new_title := ""
+) -> void:
 	_field = field
 	var functions: Array[PlantFunction] = []
 	var names: PackedStringArray = []
-	for entry in field.species if field else []:
-		if entry and entry.get_layer_name() and not entry.get_layer_name() in names:
+	var titles: PackedStringArray = []
+	for entry: PlantFieldSpecies in field.species if field else []:
+		var layer := entry.get_layer_name() if entry else ""
+		if layer and not layer in names:
 			functions.append(entry.species)
-			names.append(entry.get_layer_name())
+			names.append(layer)
+			titles.append(LayerTitles.of(field, layer))
 	if new_species:
 		functions.append(new_species)
-		names.append(title)
-	if names == _names and title == _new_layer:
-		_show()
-		return
-	_names = names
-	_new_layer = title
+		names.append(new_layer)
+		titles.append("+ " + new_title)
+	if names != _names or new_layer != _new_layer:
+		_names = names
+		_new_layer = new_layer
+		_make_buttons(functions, titles)
+	_show()
+
+
+func _make_buttons(functions: Array[PlantFunction], titles: PackedStringArray) -> void:
 	for button in _species.get_children():
 		button.queue_free()
 		_species.remove_child(button)
-	_menu.fill(names, title)
-	for i in names.size():
-		_add_species(functions[i], names[i])
-	_show()
+	_menu.fill(_names, titles)
+	for i in _names.size():
+		_add_species(functions[i], _names[i], titles[i])
 
 
 ## Shows [param text] beside the settings until one of them changes.
@@ -98,37 +107,37 @@ func _notification(what: int) -> void:
 		_translate()
 
 
-func _add_species(function: PlantFunction, title: String) -> void:
+func _add_species(function: PlantFunction, layer: String, title: String) -> void:
 	var button := Button.new()
 	button.toggle_mode = true
 	button.theme_type_variation = &"FlatButton"
-	button.text = "+ " + title if title == _new_layer else title
-	button.tooltip_text = _explain(title)
+	button.text = title
+	button.tooltip_text = _explain(layer, title)
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.icon = get_theme_icon(&"Object", &"EditorIcons")
 	var width := int(THUMBNAIL * EditorInterface.get_editor_scale())
 	button.add_theme_constant_override(&"icon_max_width", width)
-	button.toggled.connect(func(is_on: bool) -> void: _choose(title, is_on))
+	button.toggled.connect(func(is_on: bool) -> void: _choose(layer, is_on))
 	_species.add_child(button)
 	if function:
 		EditorInterface.get_resource_previewer().queue_edited_resource_preview(
-			function, self, &"_on_thumbnail_ready", title
+			function, self, &"_on_thumbnail_ready", layer
 		)
 
 
-func _explain(title: String) -> String:
-	if title == _new_layer:
+func _explain(layer: String, title: String) -> String:
+	if layer == _new_layer:
 		return tr("Picked in the dock. Painting adds it to the field.")
 	return tr("Paint %s. Where none is chosen, all are.") % title
 
 
 func _on_thumbnail_ready(
-	_path: String, preview: Texture2D, _small: Texture2D, title: String
+	_path: String, preview: Texture2D, _small: Texture2D, layer: String
 ) -> void:
-	var at := _names.find(title)
+	var at := _names.find(layer)
 	if preview and at >= 0 and at < _species.get_child_count():
 		(_species.get_child(at) as Button).icon = preview
-		_menu.show_picture(title, preview)
+		_menu.show_picture(layer, preview)
 
 
 func _on_as_mixed_toggled(is_on: bool) -> void:

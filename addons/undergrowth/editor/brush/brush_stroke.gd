@@ -4,6 +4,7 @@ extends RefCounted
 ## without a map gets one with the density of its area. The stroke also adds a new species.
 
 const FieldEntries := preload("../actions/field_entries.gd")
+const LayerTitles := preload("layer_titles.gd")
 const Translations := preload("../translations/translations.gd")
 const BrushDensity := preload("brush_density.gd")
 const BrushOptions := preload("brush_options.gd")
@@ -78,7 +79,7 @@ func explain() -> String:
 		return ""
 	var names := Translations.text("All species")
 	if _species and _names:
-		names = ", ".join(_names)
+		names = LayerTitles.join(_field, _names)
 	if not _rect.has_area():
 		return _explain_nothing(names)
 	if _tool != BrushOptions.Tool.PAINT or _smooths:

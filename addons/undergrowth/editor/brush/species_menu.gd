@@ -3,13 +3,15 @@ extends MenuButton
 ## A menu with pictures for the species of a field, if a toolbar has no room for them. Several can
 ## be selected.
 
-## Emitted when the user selected or deselected [param title].
-signal chosen(title: String, is_on: bool)
+## Emitted when the user selected or deselected the species of [param layer].
+signal chosen(layer: String, is_on: bool)
 
 ## Size of a picture, in pixels at 100 %.
 const PICTURE := 32
 
+# Layers of the map, and the titles of their species.
 var _names: PackedStringArray = []
+var _titles: PackedStringArray = []
 
 
 func _ready() -> void:
@@ -17,19 +19,20 @@ func _ready() -> void:
 	get_popup().index_pressed.connect(_on_index_pressed)
 
 
-## Shows [param names]. The field does not contain [param new_layer] yet.
-func fill(names: PackedStringArray, new_layer: String) -> void:
+## Shows the species of the layers [param names] with [param titles].
+func fill(names: PackedStringArray, titles: PackedStringArray) -> void:
 	_names = names
+	_titles = titles
 	var popup := get_popup()
 	popup.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	popup.clear()
-	for title in names:
-		popup.add_check_item("+ " + title if title == new_layer else title)
+	for title in titles:
+		popup.add_check_item(title)
 
 
-## Sets the picture of the species called [param title].
-func show_picture(title: String, picture: Texture2D) -> void:
-	var at := _names.find(title)
+## Sets the picture of the species of [param layer].
+func show_picture(layer: String, picture: Texture2D) -> void:
+	var at := _names.find(layer)
 	if at >= 0:
 		get_popup().set_item_icon(at, picture)
 		var width := roundi(PICTURE * EditorInterface.get_editor_scale())
@@ -43,7 +46,7 @@ func show_painted(painted: PackedStringArray) -> void:
 	for i in _names.size():
 		var is_on := _names[i] in painted
 		get_popup().set_item_checked(i, is_on)
-		last = _names[i] if is_on else last
+		last = _titles[i] if is_on else last
 		count += int(is_on)
 	match count:
 		0:

@@ -107,13 +107,15 @@ func _show_species(function: PlantFunction) -> void:
 	var entry := null if function.is_built_in() else _list.find(function.resource_path)
 	if entry:
 		_choose(entry)
-		_state.report(tr("This is selected. To change that, choose another and press Assign."))
+		var text := tr(
+			"%s is selected. To change it, choose another species and press Use for Selected."
+		)
+		_state.report(text % tr(entry.title))
 	else:
 		_chosen = null
 		_state.choose(function, "", SpeciesEntry.title_of(function))
-		_state.report(
-			tr("This is selected, and the scene's own: what you change here changes there.")
-		)
+		var text := tr("%s is selected, and the scene's own: what you change here changes there.")
+		_state.report(text % tr(_state.title))
 	_list.mark(entry.key if entry else "")
 	_list.reveal_chosen()
 

@@ -10,7 +10,7 @@ const CLASS_ENDING := "Function"
 const TOOL_MARK := "@tool"
 const FIELD_CLASS := &"PlantField3D"
 const CURVES_CLASS := "CurvePlantFunction"
-const CURVES_TITLE := "Own drawing"
+const CURVES_TITLE := "Own Drawing"
 ## Start of the main resource in a text file. Sub-resources are above it.
 const MAIN_PART := "\n[resource]\n"
 const NAME_LINE := '(?m)^resource_name = "(.+)"$'
@@ -40,7 +40,7 @@ static func from_file(path: String, is_script: bool, script_class: String) -> Re
 	entry.kind = Kind.SCRIPT if is_script else Kind.RESOURCE
 	entry.key = path
 	if not is_script:
-		entry.title = _name_within(path)
+		entry.title = _to_title(_name_within(path))
 	if entry.title.is_empty():
 		var named := _file_title(path) if script_class.is_empty() else script_class
 		entry.title = named.trim_suffix(CLASS_ENDING).capitalize()
@@ -63,16 +63,15 @@ static func from_ready_file(path: String, kind_of_file: Kind) -> RefCounted:
 static func find_title(path: String) -> String:
 	var title_within := _name_within(path)
 	if not title_within.is_empty():
-		return title_within
-	var words := _file_title(path).replace("_", " ")
-	return words.left(1).to_upper() + words.substr(1)
+		return _to_title(title_within)
+	return _to_title(_file_title(path).replace("_", " "))
 
 
 ## Returns the title of a species outside of the list: its own name, or that of its file, script or
 ## class.
 static func title_of(function: PlantFunction) -> String:
 	if function.resource_name:
-		return function.resource_name
+		return _to_title(function.resource_name)
 	var script := function.get_script() as Script
 	if not function.is_built_in():
 		return find_title(function.resource_path)
@@ -142,6 +141,14 @@ func explain_failure(translator: Object) -> String:
 	if script is GDScript and not script.source_code.contains(TOOL_MARK):
 		return translator.tr("%s cannot run in the editor. Begin it with @tool.") % key
 	return translator.tr("%s has an error. Open it in the script editor and mend it.") % key
+
+
+# Capitalises each word, as the editor's texts do. A word with a hyphen is one word.
+static func _to_title(words: String) -> String:
+	var capitalised: PackedStringArray = []
+	for word in words.split(" ", false):
+		capitalised.append(word.left(1).to_upper() + word.substr(1))
+	return " ".join(capitalised)
 
 
 static func _file_title(path: String) -> String:
