@@ -60,7 +60,7 @@ func test_add_as_field_is_one_step() -> void:
 	)
 	check(field.edge_falloff >= 0.2, "its soft border: %f m" % field.edge_falloff)
 	check_equal(field.wind.strength, _state().wind.strength, "strength of its wind")
-	check(field.wind != _state().wind, "the dock's own wind stays out of the scene")
+	check(field.wind != _state().own_wind, "the dock's own wind stays out of the scene")
 	check_equal(
 		EditorInterface.get_selection().get_selected_nodes(), [field] as Array[Node], "selected"
 	)

@@ -5,44 +5,70 @@ extends "wind_test.gd"
 const SCENE_FILES := "res://wind_page_%d.tscn"
 const FIELD_FILE := "res://wind_page_field.tscn"
 const EMPTY_FILE := "res://wind_page_empty.tscn"
+const SHIPPED := "res://addons/undergrowth/winds/breeze.tres"
 const SHARED_FILE := "res://wind_page_shared.tres"
 
 var _scene_file := ""
 var _scene_count := 0
 
 
-func test_scene_moves_and_is_not_changed() -> void:
+func test_a_change_is_seen_in_the_scene_and_undone() -> void:
 	var plants := await _open_scene()
-	await _choose_kind(PlantWind.KIND_CONSTANT)
+	await open_page("Wind")
+	check(_wind() == plants[0].wind, "the page edits the wind of the scene")
+	check_equal((part("Wind/Shown") as Label).text, tr("Wind of the Scene"), "what is shown")
 	var version := _history().get_version()
-	var file := FileAccess.get_file_as_string(_scene_file)
-	await _press_button("OnScene")
-	var moves := func() -> bool: return plants[0].get_deflection() > 0.01
-	check(await until(moves), "the plants move")
-	check_equal(_history().get_version(), version, "version of the scene")
-	await take_picture("wind")
-	EditorInterface.save_scene()
-	check_equal(FileAccess.get_file_as_string(_scene_file), file, "the saved scene")
-	await _press_button("OnScene")
-	for plant in plants:
-		check_equal(plant.get_deflection(), 0.0, "deflection after the end")
-
-
-func test_apply_is_one_step() -> void:
-	var plants := await _open_scene()
-	await _choose_kind(PlantWind.KIND_WAVES)
-	EditorInterface.get_selection().clear()
-	var version := _history().get_version()
-	await _press_button("Apply")
+	await _choose_kind(PlantWind.KIND_BURSTS)
+	check_equal(plants[0].wind.kind, PlantWind.KIND_BURSTS, "kind in the scene")
 	check_equal(_history().get_version(), version + 1, "one step")
-	check_equal(_history().get_current_action_name(), tr("Apply Wind to Plants"), "its name")
-	check_equal(plants[0].wind.kind, PlantWind.KIND_WAVES, "kind of the wind that was there")
-	check(plants[1].wind and plants[1].wind == plants[2].wind, "a new wind, shared")
+	await _type_number("Strength", "3")
+	check_equal(plants[0].wind.strength, 3.0, "strength in the scene")
+	await _press_button("Gale")
+	check_equal(plants[0].wind.kind, PlantWind.KIND_AIR, "kind of a preset")
+	check(is_equal_approx(plants[0].wind.speed, 19.0), "speed of a preset")
+	await undo()
+	check_equal(plants[0].wind.kind, PlantWind.KIND_BURSTS, "one step undoes a preset")
+	check_equal((part("Wind/Kind") as OptionButton).selected, PlantWind.KIND_BURSTS, "in the page")
+	await undo()
 	await undo()
 	check_equal(plants[0].wind.kind, PlantWind.KIND_CONSTANT, "kind after undo")
+	EditorInterface.save_scene()
+
+
+func test_the_sway_shows_a_change_at_once() -> void:
+	var plants := await _open_scene()
+	var state: EditorState = dock().get("state")
+	state.choose_sway(true)
+	var moves := func() -> bool: return plants[0].get_deflection() > 0.01
+	check(await until(moves), "a plant with wind moves")
+	await take_picture("wind")
+	await _press_button("Calm")
+	var rests := func() -> bool: return plants[0].get_deflection() < 0.005
+	check(await until(rests), "it rests in still air: %f" % plants[0].get_deflection())
+	await undo()
+	check(await until(moves), "it moves after undo")
+	EditorInterface.open_scene_from_path(_make_empty_scene())
+	await frames(5)
+	check_equal(plants[0].get_deflection(), 0.0, "deflection in the scene that was left")
+	state.choose_sway(false)
+	state.choose_sway(true)
+	state.sways = false
+
+
+func test_set_as_scene_wind_is_one_step() -> void:
+	var plants := await _open_scene()
+	EditorInterface.get_selection().clear()
+	await open_page("Wind")
+	var version := _history().get_version()
+	await _press_button("SetForScene")
+	check_equal(_history().get_version(), version + 1, "one step")
+	check_equal(_history().get_current_action_name(), tr("Set Scene Wind"), "its name")
+	for plant in plants:
+		check(plant.wind == _wind(), "all share the wind of the page")
+	await undo()
 	check(not plants[1].wind, "no wind after undo")
 	await redo()
-	check_equal(plants[2].wind.kind, PlantWind.KIND_WAVES, "kind after redo")
+	check_equal(plants[2].wind.kind, PlantWind.KIND_CONSTANT, "kind after redo")
 	EditorInterface.save_scene()
 	var scene: PackedScene = ResourceLoader.load(
 		_scene_file, "", ResourceLoader.CACHE_MODE_IGNORE_DEEP
@@ -52,28 +78,34 @@ func test_apply_is_one_step() -> void:
 	saved.free()
 
 
-func test_apply_to_selected_only() -> void:
+func test_the_page_follows_the_selection() -> void:
 	var plants := await _open_scene()
-	await _choose_kind(PlantWind.KIND_BURSTS)
-	await _type_number("Strength", "3")
+	plants[1].wind = PlantWind.new()
+	plants[1].wind.strength = 7.0
+	await open_page("Wind")
 	EditorInterface.get_selection().clear()
 	EditorInterface.get_selection().add_node(plants[1])
-	await _press_button("Apply")
-	check_equal(plants[1].wind.kind, PlantWind.KIND_BURSTS, "the selected plant")
-	check_equal(plants[0].wind.kind, PlantWind.KIND_CONSTANT, "another plant")
-	await _type_number("Strength", "7")
-	await _press_button("Take")
-	check_equal(_wind().strength, 3.0, "strength taken from the scene")
-	await undo()
+	await frames(3)
+	check(_wind() == plants[1].wind, "the wind of the selected plant")
+	EditorInterface.get_selection().clear()
+	EditorInterface.get_selection().add_node(plants[2])
+	await frames(3)
+	var state: EditorState = dock().get("state")
+	check(_wind() == state.own_wind, "the selected plant has none: that of new plants")
+	check_equal((part("Wind/Shown") as Label).text, tr("Wind of New Plants"), "what is shown")
+	EditorInterface.get_selection().clear()
+	await frames(3)
+	check(_wind() == plants[0].wind, "without a selection the first of the scene")
 
 
-func test_apply_changes_a_wind_of_its_own_file() -> void:
+func test_a_wind_of_its_own_file_is_changed_there() -> void:
 	check_equal(ResourceSaver.save(_make_constant_wind(), SHARED_FILE), OK, "saving")
 	var plants := await _open_scene()
 	for plant in plants:
 		plant.wind = load(SHARED_FILE)
+	EditorInterface.get_selection().add_node(plants[2])
+	await frames(3)
 	await _choose_kind(PlantWind.KIND_WAVES)
-	await _press_button("Apply")
 	check_equal(plants[2].wind.resource_path, SHARED_FILE, "the file stays shared")
 	EditorInterface.save_scene()
 	check_equal(_read_kind(SHARED_FILE), PlantWind.KIND_WAVES, "kind in the file")
@@ -82,17 +114,22 @@ func test_apply_changes_a_wind_of_its_own_file() -> void:
 	check_equal(_read_kind(SHARED_FILE), PlantWind.KIND_CONSTANT, "kind in the file after undo")
 
 
-func test_plants_of_a_closed_scene_do_not_move() -> void:
+func test_a_wind_of_the_add_on_stays_as_it_is() -> void:
+	var shipped: PlantWind = load(SHIPPED)
+	var speed := shipped.speed
 	var plants := await _open_scene()
-	await _choose_kind(PlantWind.KIND_CONSTANT)
-	await _press_button("OnScene")
-	check(await until(func() -> bool: return plants[0].get_deflection() > 0.01), "the plants move")
-	EditorInterface.open_scene_from_path(_make_empty_scene())
-	await frames(5)
-	check_equal(plants[0].get_deflection(), 0.0, "deflection in the scene that was left")
-	EditorInterface.open_scene_from_path(_scene_file)
-	check(await until(func() -> bool: return plants[0].get_deflection() > 0.01), "they move again")
-	await _press_button("OnScene")
+	for plant in plants:
+		plant.wind = shipped
+	EditorInterface.get_selection().add_node(plants[2])
+	await frames(3)
+	await _press_button("Gale")
+	check_equal(shipped.speed, speed, "speed in the file of the add-on")
+	for plant in plants:
+		check(is_equal_approx(plant.wind.speed, 19.0), "speed in the scene")
+	check(plants[0].wind == plants[1].wind, "the plants still share one wind")
+	check(_wind() == plants[0].wind, "the page edits it")
+	await undo()
+	check(plants[0].wind == shipped, "the add-on's wind after undo")
 
 
 func test_field_takes_part() -> void:
@@ -100,15 +137,8 @@ func test_field_takes_part() -> void:
 	var pages := func() -> bool: return field.get_plant_count() > 0
 	check(await until(pages), "the field is filled")
 	await _choose_kind(PlantWind.KIND_CONSTANT)
-	var id := field.get_plant_ids()[0]
-	var rest := field.get_tip_position(id)
-	await _press_button("OnScene")
-	var moves := func() -> bool: return field.get_tip_position(id).distance_to(rest) > 0.01
-	check(await until(moves), "the plants of the field move")
-	await _press_button("OnScene")
-	check(field.get_tip_position(id).is_equal_approx(rest), "they are at rest after the end")
 	check(not field.wind, "the field has no wind of its own yet")
-	await _press_button("Apply")
+	await _press_button("SetForScene")
 	check(field.wind and field.wind.kind == PlantWind.KIND_CONSTANT, "the field has this wind")
 	await undo()
 	check(not field.wind, "no wind after undo")
@@ -117,7 +147,7 @@ func test_field_takes_part() -> void:
 func test_a_scene_without_plants_is_reported() -> void:
 	EditorInterface.open_scene_from_path(_make_empty_scene())
 	await frames(5)
-	await _press_button("Apply")
+	await _press_button("SetForScene")
 	var reported := (part("Status/Text") as Label).text
 	check(reported.contains(tr("no plants")), "the status line: " + reported)
 

@@ -74,9 +74,7 @@ func test_air_has_fields_of_its_own_and_presets() -> void:
 func test_nothing_moves_when_a_preset_is_chosen() -> void:
 	await open_page("Wind")
 	(part("Wind") as ScrollContainer).scroll_vertical = 0
-	var names: Array[String] = [
-		"Calm", "Breeze", "Storm", "Gust", "OnScene", "Apply", "Take", "Save"
-	]
+	var names: Array[String] = ["Calm", "Breeze", "Storm", "Gust", "SetForScene", "Save"]
 	names.append_array(["Kind"] as Array[String])
 	await _choose_kind(PlantWind.KIND_WAVES)
 	await frames(3)
@@ -135,11 +133,19 @@ func test_air_does_not_make_the_dock_wider() -> void:
 	check_equal(dock().get_combined_minimum_size().x, before, "least width")
 
 
-func test_air_shows_its_map_and_its_spectrum() -> void:
-	await _choose_kind(PlantWind.KIND_AIR)
-	await _press_button("Fresh")
-	var map := part("Wind/Map") as WindMap
-	var spectrum := part("Wind/Spectrum") as WindSpectrum
+func test_the_inspector_folds_the_analysis_of_air() -> void:
+	check(part("Wind").find_child("Spectrum", true, false) == null, "the dock has no analysis")
+	var wind := (load("res://addons/undergrowth/winds/fresh.tres") as PlantWind).duplicate()
+	EditorInterface.edit_resource(wind)
+	await open_inspector()
+	await frames(5)
+	var analysis := _find_in_inspector("Analysis") as FoldableContainer
+	var map := _find_in_inspector("Map") as WindMap
+	var spectrum := _find_in_inspector("Spectrum") as WindSpectrum
+	check(analysis.is_visible_in_tree() and analysis.folded, "it is folded")
+	check(not spectrum.is_visible_in_tree(), "nothing is measured")
+	await click(analysis, Vector2(20.0, 10.0))
+	await frames(3)
 	check(map.is_visible_in_tree() and spectrum.is_visible_in_tree(), "both are shown")
 	var speeds := map.get_speeds()
 	check_equal(speeds.size(), WindMap.SIDE * WindMap.SIDE, "places of the map")
@@ -154,10 +160,15 @@ func test_air_shows_its_map_and_its_spectrum() -> void:
 		if point.x > 0.2:
 			var share := point.y / spectrum.kaimal(point.x)
 			check(share > 0.4 and share < 2.5, "%f of Kaimal's at %f Hz" % [share, point.x])
-	_wind().speed = 4.0
+	wind.speed = 4.0
 	check_equal(spectrum.get_points().size(), 0, "another wind is measured again")
-	await _choose_kind(PlantWind.KIND_WAVES)
+	wind.kind = PlantWind.KIND_WAVES
 	check(not map.is_visible_in_tree(), "forces have no map")
+	EditorInterface.edit_node(null)
+
+
+func _find_in_inspector(name: String) -> Control:
+	return EditorInterface.get_inspector().find_children(name, "", true, false)[0] as Control
 
 
 func test_wind_is_saved() -> void:

@@ -68,7 +68,9 @@ func test_density_is_in_plants_per_square_metre() -> void:
 	var inspector := EditorInterface.get_inspector()
 	for property: EditorProperty in inspector.find_children("*", "EditorProperty", true, false):
 		if property.get_edited_property() == &"density":
-			units.append(property.find_children("*", "EditorSpinSlider", true, false)[0].suffix.strip_edges())
+			units.append(
+				property.find_children("*", "EditorSpinSlider", true, false)[0].suffix.strip_edges()
+			)
 	check_equal(units, PackedStringArray([UNIT]), "unit in the inspector")
 
 

@@ -30,7 +30,7 @@ func setup(plugin: EditorPlugin) -> void:
 	_status.setup(state)
 	_align_status()
 	_plant_page.setup(state, plugin.get_undo_redo(), self)
-	_wind_page.setup(state, plugin.get_undo_redo())
+	_wind_page.setup(state, plugin)
 
 
 ## Returns true if [param data] of a drag is a mix or a species.

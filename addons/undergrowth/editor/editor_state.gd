@@ -57,7 +57,7 @@ var segments := DEFAULT_SEGMENTS:
 	set(value):
 		segments = value
 		_on_view_changed()
-## The wind of the preview. Change its properties or assign another one.
+## The shown wind: that of the edited scene, or [member own_wind].
 var wind: PlantWind:
 	get:
 		return _wind
@@ -65,6 +65,9 @@ var wind: PlantWind:
 		_watch(_wind, value, _on_wind_changed)
 		_wind = value
 		_on_wind_changed()
+
+## The wind of the first plants of a scene without a wind. The dock owns it.
+var own_wind: PlantWind
 
 ## True while the plants of the edited scene sway in the editor's 3D view, each in its own wind.
 var sways: bool:
@@ -92,6 +95,7 @@ var _is_still_by_user := false
 func _init() -> void:
 	var breeze: PlantWind = BREEZE.duplicate()
 	breeze.direction = PI / 2.0
+	own_wind = breeze
 	wind = breeze
 
 
@@ -101,6 +105,7 @@ func close() -> void:
 	_watch(_wind, null, _on_wind_changed)
 	_function = null
 	_wind = null
+	own_wind = null
 	origin = null
 	mix = null
 

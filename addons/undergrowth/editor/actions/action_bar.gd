@@ -88,7 +88,7 @@ func _on_add_pressed() -> void:
 	if not root or not _can_build():
 		return
 	var function := _to_scene_function(root)
-	var wind := SceneActions.to_scene_wind(_state.wind, root)
+	var wind := SceneActions.to_scene_wind(_state.own_wind, root)
 	var plant := SceneActions.make_plant(function, wind, _state.title)
 	plant.height = _state.height
 	plant.seed = _state.seed_value
@@ -112,7 +112,7 @@ func add_field(view: Viewport, pixel := Vector2.INF) -> void:
 		if pixel.is_finite()
 		else tr("It is flat: the centre of the 3D view shows no ground.")
 	)
-	var wind := SceneActions.to_scene_wind(_state.wind, root)
+	var wind := SceneActions.to_scene_wind(_state.own_wind, root)
 	if _state.mix:
 		var mixed := SceneActions.make_mix(_state.mix, wind)
 		_add_to_scene(root, mixed, place, no_ground, _state.mix.resource_path)
@@ -159,7 +159,7 @@ func _on_assign_pressed() -> void:
 		_warn(tr("Nothing is selected. Select Plant3D or PlantField3D nodes in the scene."))
 		return
 	var function := _to_scene_function(root)
-	var wind := SceneActions.to_scene_wind(_state.wind, root)
+	var wind := SceneActions.to_scene_wind(_state.own_wind, root)
 	SceneActions.assign(_undo, root, plants, function, wind)
 	_state.report(_describe_assigned(plants))
 

@@ -45,7 +45,7 @@ func _complete(field: PlantField3D) -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	if not is_instance_valid(field) or not root or not field.is_inside_tree():
 		return
-	field.wind = SceneActions.to_scene_wind(_state.wind, root)
+	field.wind = SceneActions.to_scene_wind(_state.own_wind, root)
 	var place := FieldPlacing.find(root, field) if field != root else null
 	if place:
 		place.lay(field, field.get_parent())

@@ -5,7 +5,6 @@ extends "node_gizmos.gd"
 ## the box that contains it in every bend.
 
 const GizmoShapes := preload("gizmo_shapes.gd")
-const SceneWind := preload("../wind_page/scene_wind.gd")
 
 const HEIGHT_HANDLE := 0
 const MIN_HEIGHT := 0.01
@@ -140,7 +139,7 @@ static func joints_of(plant: Plant3D) -> PackedVector3Array:
 
 # Returns the current wind of the plant, or null in still air.
 static func _wind_on(plant: Plant3D) -> PlantWind:
-	var wind := SceneWind.blowing if SceneWind.blowing else plant.wind
+	var wind := plant.wind
 	return wind if wind and wind.strength > 0.0 else null
 
 

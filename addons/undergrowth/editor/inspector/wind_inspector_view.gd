@@ -1,10 +1,12 @@
 @tool
 extends VBoxContainer
-## The force of a wind over the next seconds, with a button for a gust. For air, its speed and its
-## Beaufort number and description.
+## The force of a wind over the next seconds, with a button for a gust. For air, its speed, its
+## Beaufort number and description, and a folded analysis: a map and the spectrum.
 
 const Beaufort := preload("../wind_page/beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
+const WindMap := preload("../widgets/wind_map.gd")
+const WindSpectrum := preload("../widgets/wind_spectrum.gd")
 const Translations := preload("../translations/translations.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
 
@@ -13,12 +15,17 @@ var wind: PlantWind
 
 @onready var _beaufort: Label = %Beaufort
 @onready var _graph: ForceGraph = %Graph
+@onready var _analysis: FoldableContainer = %Analysis
+@onready var _map: WindMap = %Map
+@onready var _spectrum: WindSpectrum = %Spectrum
 @onready var _gust: Button = %Gust
 
 
 func _ready() -> void:
 	set_translation_domain(Translations.DOMAIN)
 	_graph.wind = wind
+	_map.wind = wind
+	_spectrum.wind = wind
 	_gust.pressed.connect(_on_gust_pressed)
 	if wind:
 		wind.changed.connect(_show_beaufort)
@@ -31,6 +38,7 @@ func _process(delta: float) -> void:
 
 
 func _show_beaufort() -> void:
+	_analysis.visible = wind.kind == PlantWind.KIND_AIR
 	_beaufort.visible = wind.kind == PlantWind.KIND_AIR
 	_beaufort.text = "Beaufort " + Beaufort.describe(wind)
 

@@ -1,18 +1,13 @@
 @tool
 extends Node
-## Moves the plants of the edited scene in the editor's viewport: each in its own wind while the
-## scene sways, or all in the dock's wind while that is shown. The scene does not change: its plants
-## only move, and return to rest at the end.
+## Moves the plants of the edited scene in the editor's viewport, each in its own wind, while the
+## scene sways. The scene does not change: its plants only move, and return to rest at the end.
 
 const EditorState := preload("../editor_state.gd")
 const ScenePlants := preload("scene_plants.gd")
 const WindClock := preload("wind_clock.gd")
 
-## The current wind of the edited scene in place of its plants' own, or null.
-static var blowing: PlantWind
-
 var _state: EditorState
-var _shows_dock_wind := false
 var _root: Node
 var _plants: Array[Node3D] = []
 # Ids of the plants that a wind moves.
@@ -25,7 +20,6 @@ func _ready() -> void:
 
 
 func _exit_tree() -> void:
-	_shows_dock_wind = false
 	_set_running(false)
 
 
@@ -35,25 +29,8 @@ func setup(state: EditorState) -> void:
 	_state.sway_changed.connect(_update)
 
 
-## Returns true while the dock's wind moves the plants.
-func is_active() -> bool:
-	return _shows_dock_wind
-
-
-## Starts or ends the dock's wind on the scene. At the end the plants return to their own wind if
-## the scene sways, or to rest.
-func set_active(on: bool) -> void:
-	if on == _shows_dock_wind:
-		return
-	_shows_dock_wind = on
-	blowing = _state.wind if on else null
-	_update()
-	if on:
-		_report()
-
-
 func _update() -> void:
-	_set_running(_shows_dock_wind or _state.sways)
+	_set_running(_state.sways)
 
 
 func _set_running(on: bool) -> void:
@@ -74,9 +51,8 @@ func _set_running(on: bool) -> void:
 func _process(delta: float) -> void:
 	if _is_outdated or EditorInterface.get_edited_scene_root() != _root:
 		_collect()
-	blowing = _state.wind if _shows_dock_wind else null
 	for plant in _plants:
-		var wind: PlantWind = blowing if _shows_dock_wind else plant.get(&"wind")
+		var wind: PlantWind = plant.get(&"wind")
 		if wind:
 			_moving[plant.get_instance_id()] = true
 			WindClock.advance(wind, delta)
@@ -101,21 +77,12 @@ func _collect() -> void:
 
 
 func _release() -> void:
-	blowing = null
 	for plant: Variant in _plants:
 		if is_instance_valid(plant):
 			(plant as Node3D).call(&"reset_motion")
 	_plants.clear()
 	_moving.clear()
 	_root = null
-
-
-func _report() -> void:
-	if _plants.is_empty():
-		_state.report(
-			tr("The edited scene has no plants yet. Add one on the Plant page to see it move."),
-			EditorState.Severity.WARNING
-		)
 
 
 func _on_node_changed(node: Node) -> void:

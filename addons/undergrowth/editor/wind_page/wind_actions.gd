@@ -1,6 +1,6 @@
 @tool
 extends Node
-## The actions of the wind page: writes its wind to plants, reads it from them, saves it.
+## The actions of the wind page: changes the wind of the scene, gives it to all plants, saves it.
 
 const EditorState := preload("../editor_state.gd")
 const ProjectFiles := preload("../actions/project_files.gd")
@@ -20,6 +20,7 @@ const PROPERTIES: Array[StringName] = [
 	&"canopy_height",
 	&"canopy_wave_amount",
 ]
+const SHIPPED := "res://addons/undergrowth/"
 const WARNING := EditorState.Severity.WARNING
 
 var _state: EditorState
@@ -32,48 +33,54 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_undo = undo
 
 
-## Writes the values to the winds of the selected plants, or of all plants if none is selected.
-## Plants without a wind, or with a wind saved in another scene, get a new one that they share. One
-## step of undo.
-func apply() -> void:
+## Returns the wind that the page edits: that of the first selected plant, or of the first plant of
+## the edited scene if none is selected. Null: no plant has a wind that is saved with the scene or in
+## a file.
+static func find_scene_wind() -> PlantWind:
 	var root := EditorInterface.get_edited_scene_root()
-	var plants := ScenePlants.chosen()
-	if not _may_apply(root, plants):
-		return
-	var winds: Array[PlantWind] = []
-	var calm: Array[Node3D] = []
-	for plant in plants:
-		var wind: PlantWind = plant.get(&"wind")
-		if not _has_own_wind(root, plant):
-			calm.append(plant)
-		elif not winds.has(wind):
-			winds.append(wind)
-	var lacks := func(plant: Node3D) -> bool:
-		return not plant.get(&"wind") or _differs(plant.get(&"wind"))
-	if not winds.any(_differs) and not calm.any(lacks):
-		_state.report(tr("The plants have this wind already."))
-		return
-	_undo.create_action(tr("Apply Wind to Plants"), UndoRedo.MERGE_DISABLE, root)
-	for wind in winds:
-		_add_values(wind)
-	if calm:
-		_add_new_wind(calm)
-	_undo.commit_action()
-	var message := tr_n(
-		"%d plant feels this wind now.", "%d plants feel this wind now.", plants.size()
-	)
-	_state.report(message % plants.size())
-
-
-## Reads the wind of the first chosen plant that has one into the page.
-func take() -> void:
 	for plant in ScenePlants.chosen():
 		var wind: PlantWind = plant.get(&"wind")
-		if wind:
-			_copy(wind, _state.wind)
-			_state.report(tr("This is the wind of %s.") % plant.name)
-			return
-	_state.report(tr("No plant here has a wind yet. Press Apply to give them this one."), WARNING)
+		if wind and ScenePlants.is_wind_saved(root, wind):
+			return wind
+	return null
+
+
+## Sets [param values] of the shown wind, by properties. A change of the scene is a step of undo
+## called [param title]. Steps of the same title are merged while a slider is dragged.
+func change(values: Dictionary[StringName, Variant], title: String) -> void:
+	var wind := _state.wind
+	if wind == _state.own_wind:
+		for property in values:
+			wind.set(property, values[property])
+		return
+	var root := EditorInterface.get_edited_scene_root()
+	if wind.resource_path.begins_with(SHIPPED):
+		_replace(root, wind, values)
+		return
+	_undo.create_action(title, UndoRedo.MERGE_ENDS, root)
+	for property in values:
+		_undo.add_do_property(wind, property, values[property])
+		_undo.add_undo_property(wind, property, wind.get(property))
+	_undo.commit_action()
+
+
+## Sets the shown wind as the wind of all plants of the scene, which share it. One step of undo.
+func set_for_scene() -> void:
+	var root := EditorInterface.get_edited_scene_root()
+	var plants := ScenePlants.all(root)
+	if not _may_set(root, plants):
+		return
+	var is_own := _state.wind == _state.own_wind
+	var wind := _state.wind.duplicate() as PlantWind if is_own else _state.wind
+	var lacks := func(plant: Node3D) -> bool: return plant.get(&"wind") != wind
+	if not plants.any(lacks):
+		_state.report(tr("The plants have this wind already."))
+		return
+	_undo.create_action(tr("Set Scene Wind"), UndoRedo.MERGE_DISABLE, root)
+	_add_wind(plants.filter(lacks), wind)
+	_undo.commit_action()
+	var message := tr_n("%d node has this wind now.", "%d nodes have this wind now.", plants.size())
+	_state.report(message % plants.size())
 
 
 ## Opens a dialog for the resource's path.
@@ -107,7 +114,7 @@ func save(path: String) -> void:
 	_state.report(tr("The wind is saved as %s.") % path)
 
 
-func _may_apply(root: Node, plants: Array[Node3D]) -> bool:
+func _may_set(root: Node, plants: Array[Node3D]) -> bool:
 	if not root:
 		_state.report(tr("Open a scene first; then its plants can have this wind."), WARNING)
 		return false
@@ -115,7 +122,7 @@ func _may_apply(root: Node, plants: Array[Node3D]) -> bool:
 		_state.report(tr("The scene has no plants yet. Add one on the Plant page."), WARNING)
 		return false
 	for plant in plants:
-		if not ScenePlants.is_saved_with(root, plant) and not _has_own_wind(root, plant):
+		if not ScenePlants.is_saved_with(root, plant):
 			var advice := tr(
 				"%s belongs to another scene. Open that scene, or make its children editable."
 			)
@@ -124,27 +131,18 @@ func _may_apply(root: Node, plants: Array[Node3D]) -> bool:
 	return true
 
 
-# True for a wind whose changes are saved.
-func _has_own_wind(root: Node, plant: Node3D) -> bool:
-	var wind: PlantWind = plant.get(&"wind")
-	return wind and ScenePlants.is_wind_saved(root, wind)
+# Files of the add-on do not change: the plants get a wind of the scene.
+func _replace(root: Node, wind: PlantWind, values: Dictionary[StringName, Variant]) -> void:
+	var replacement := wind.duplicate() as PlantWind
+	for property in values:
+		replacement.set(property, values[property])
+	var has_it := func(plant: Node3D) -> bool: return plant.get(&"wind") == wind
+	_undo.create_action(tr("Give the Scene a Wind of Its Own"), UndoRedo.MERGE_DISABLE, root)
+	_add_wind(ScenePlants.all(root).filter(has_it), replacement)
+	_undo.commit_action()
 
 
-func _differs(wind: PlantWind) -> bool:
-	return PROPERTIES.any(
-		func(property: StringName) -> bool: return wind.get(property) != _state.wind.get(property)
-	)
-
-
-func _add_values(wind: PlantWind) -> void:
-	for property in PROPERTIES:
-		_undo.add_do_property(wind, property, _state.wind.get(property))
-		_undo.add_undo_property(wind, property, wind.get(property))
-
-
-func _add_new_wind(plants: Array[Node3D]) -> void:
-	var wind := PlantWind.new()
-	_copy(_state.wind, wind)
+func _add_wind(plants: Array[Node3D], wind: PlantWind) -> void:
 	_undo.add_do_reference(wind)
 	for plant in plants:
 		_undo.add_do_property(plant, &"wind", wind)

@@ -1,13 +1,12 @@
 @tool
 extends ScrollContainer
-## The page for the wind of the preview and, by option, of the edited scene.
+## The page for the wind of the edited scene. Without one it shows the wind of the first plants to
+## come. The preview sways in the same wind.
 
 const EditorState := preload("../editor_state.gd")
 const DirectionDial := preload("../widgets/direction_dial.gd")
 const Beaufort := preload("beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
-const WindMap := preload("../widgets/wind_map.gd")
-const WindSpectrum := preload("../widgets/wind_spectrum.gd")
 const SceneWind := preload("scene_wind.gd")
 const WindActions := preload("wind_actions.gd")
 const WindClock := preload("wind_clock.gd")
@@ -34,6 +33,7 @@ const NEWTONS: Array[StringName] = [&"strength", &"travel_speed"]
 var _state: EditorState
 # Property of the wind for each slider.
 var _sliders: Dictionary[StringName, EditorSpinSlider] = {}
+var _is_choosing := false
 # True while the status line shows a limit.
 var _shows_limit := false
 
@@ -43,16 +43,16 @@ var _shows_limit := false
 @onready var _heading: Label = %Heading
 @onready var _dial: DirectionDial = %Dial
 @onready var _graph: ForceGraph = %Graph
-@onready var _map: WindMap = %Map
-@onready var _spectrum: WindSpectrum = %Spectrum
-@onready var _on_scene: CheckButton = %OnScene
+@onready var _shown: Label = %Shown
 @onready var _scene_wind: SceneWind = %SceneWind
 @onready var _actions: WindActions = %WindActions
 
 
-## Shows and changes the wind of [param state]. Changes of the scene are steps of [param undo].
-func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
+## Shows and changes the wind of [param state]. Changes of the scene are steps of undo of
+## [param plugin].
+func setup(state: EditorState, plugin: EditorPlugin) -> void:
 	_state = state
+	var undo := plugin.get_undo_redo()
 	_state.wind_changed.connect(_show_wind)
 	_actions.setup(state, undo)
 	_scene_wind.setup(state)
@@ -74,7 +74,32 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	for kind in KINDS:
 		_kind.add_item(kind)
 	_connect_controls()
+	_follow(plugin)
 	_show_wind()
+
+
+# What can change the wind of the scene: another scene or selection, and steps of undo.
+func _follow(plugin: EditorPlugin) -> void:
+	plugin.scene_changed.connect(func(_root: Node) -> void: _choose_wind_soon())
+	plugin.get_undo_redo().history_changed.connect(_choose_wind_soon)
+	plugin.get_undo_redo().version_changed.connect(_choose_wind_soon)
+	EditorInterface.get_selection().selection_changed.connect(_choose_wind_soon)
+
+
+# Once for any number of changes in a frame.
+func _choose_wind_soon() -> void:
+	if not _is_choosing:
+		_is_choosing = true
+		_choose_wind.call_deferred()
+
+
+func _choose_wind() -> void:
+	_is_choosing = false
+	var found := WindActions.find_scene_wind()
+	var wind := found if found else _state.own_wind
+	if wind and wind != _state.wind:
+		_state.wind = wind
+	_shown.text = tr("Wind of the Scene") if found else tr("Wind of New Plants")
 
 
 func _connect_controls() -> void:
@@ -84,15 +109,12 @@ func _connect_controls() -> void:
 	_direction.value_changed.connect(_set_degrees)
 	_dial.direction_changed.connect(_set_degrees)
 	(%Gust as Button).pressed.connect(func() -> void: _state.wind.trigger_gust())
-	_on_scene.toggled.connect(_scene_wind.set_active)
-	(%Apply as Button).pressed.connect(_actions.apply)
-	(%Take as Button).pressed.connect(_actions.take)
+	(%SetForScene as Button).pressed.connect(_actions.set_for_scene)
 	(%Save as Button).pressed.connect(_actions.choose_file)
 
 
-# The clock advances while the wind is visible: here, or in the scene.
 func _process(delta: float) -> void:
-	if _state and _state.wind and (is_visible_in_tree() or _scene_wind.is_active()):
+	if _state and _state.wind and is_visible_in_tree():
 		WindClock.advance(_state.wind, delta)
 
 
@@ -107,12 +129,15 @@ func _set_wind(value: float, property: StringName) -> void:
 	if _state.wind.get(property) == accepted:
 		_show_wind()
 	else:
-		_state.wind.set(property, accepted)
+		var title := "%s: %s" % [tr("Change Wind"), tr(property.capitalize())]
+		_actions.change({property: accepted}, title)
 
 
 func _apply_preset(preset: PlantWind) -> void:
+	var values: Dictionary[StringName, Variant] = {}
 	for property in WindPresets.PROPERTIES:
-		_state.wind.set(property, preset.get(property))
+		values[property] = preset.get(property)
+	_actions.change(values, tr("Choose Wind"))
 
 
 func _report_limit(property: StringName, is_reached: bool) -> void:
@@ -133,8 +158,6 @@ func _show_wind() -> void:
 		return
 	if _graph.wind != wind:
 		_graph.wind = wind
-		_map.wind = wind
-		_spectrum.wind = wind
 	_kind.select(wind.kind)
 	for property in _sliders:
 		_sliders[property].set_value_no_signal(wind.get(property))
@@ -153,7 +176,6 @@ func _show_fields(wind: PlantWind) -> void:
 		var is_shown := is_air == AIR.has(property)
 		_sliders[property].visible = is_shown
 		(get_node("%" + _sliders[property].name + "Label") as Label).visible = is_shown
-	(%AirPictures as Control).visible = is_air
 	(%BeaufortLabel as Label).visible = is_air
 	(%Beaufort as Label).visible = is_air
 	(%Beaufort as Label).text = Beaufort.describe(wind)
