@@ -19,7 +19,7 @@ func test_assign_lets_a_species_grow_in_a_field() -> void:
 	var stays := field.density * 3.0 / (3.0 + field.species[1].weight)
 	check(absf(stays - density) < 1e-3, "the first stays as dense, not %f" % stays)
 	check(field.density - density >= 0.5, "reeds are added at their own density")
-	check(field.wind and field.wind != _state().wind, "it has a wind of its own now")
+	check(field.wind and field.wind != _state().own_wind, "it has a wind of its own now")
 	await undo()
 	check(not field.wind, "no wind after undo")
 	check_equal(field.species.size(), 1, "species after undo")

@@ -1,7 +1,7 @@
 @tool
 extends "actions_test.gd"
-## Fields of the Create Node dialog: they lie on the ground and have the wind of the scene, after one
-## step of undo. A field above the ground has a warning with the remedy.
+## Fields of the Create Node dialog lie on the ground and have the wind of the scene, after one step
+## of undo. A field above the ground has a warning with the remedy.
 
 const SCENE := "res://created_fields.tscn"
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"

@@ -217,6 +217,25 @@ func test_a_change_deep_inside_reaches_the_species() -> void:
 	check_equal(reported[0], 1, "one change")
 
 
+func test_hidden_parts_and_what_they_carry_are_not_drawn() -> void:
+	var tulip := (load(TULIP) as PlantFunction).duplicate(true) as PlantFunction
+	var all := tulip.generate_mesh(0.0, 12, 1).surface_get_array_len(0)
+	var heard := [0]
+	tulip.changed.connect(func() -> void: heard[0] += 1)
+	var first := tulip.arrangements[0]
+	first.visible = false
+	check_equal(heard[0], 1, "changes")
+	first.visible = false
+	check_equal(heard[0], 1, "changes after the same value")
+	var rest := tulip.generate_mesh(0.0, 12, 1).surface_get_array_len(0)
+	check(rest < all, "%d vertices of %d are drawn" % [rest, all])
+	tulip.arrangements = tulip.arrangements.filter(
+		func(one: PlantArrangement) -> bool: return one != first
+	)
+	var without := tulip.generate_mesh(0.0, 12, 1).surface_get_array_len(0)
+	check_equal(rest, without, "vertices, as without that arrangement")
+
+
 func test_a_part_has_the_veins_that_it_is_given() -> void:
 	var blade := PlantBlade.new()
 	check_equal(blade.venation, PlantPart.VENATION_AUTOMATIC, "venation")

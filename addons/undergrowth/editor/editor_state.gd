@@ -24,7 +24,8 @@ enum Severity { INFO, WARNING, ERROR }
 
 ## Segments of the four levels of detail that the dock shows and bakes, finest first.
 const LEVELS: Array[int] = [24, 12, 6, 3]
-const DEFAULT_SEGMENTS := 12
+## Segments of a plant near the camera.
+const NEAR_SEGMENTS := 24
 const BREEZE: PlantWind = preload("res://addons/undergrowth/winds/breeze.tres")
 
 ## The chosen species, or null for none or a mix.
@@ -53,7 +54,7 @@ var seed_value := 1:
 		seed_value = value
 		_on_view_changed()
 ## Vertical segments of the previewed plant.
-var segments := DEFAULT_SEGMENTS:
+var segments := NEAR_SEGMENTS:
 	set(value):
 		segments = value
 		_on_view_changed()

@@ -40,6 +40,9 @@ Arrangement PlantArrangement::described() const {
 
 // The index of this line must exist before the lines of the arrangements that it carries.
 String PlantArrangement::read(Recipe &recipe, int on, int depth, std::vector<uint64_t> &known) {
+	if (!visible) {
+		return String();
+	}
 	if (depth > MAX_DEPTH) {
 		return own_problem("it is carried in more than " + String::num_int64(MAX_DEPTH) +
 				" levels, perhaps by itself. Remove it from an inner `carries`.");
@@ -128,6 +131,13 @@ void PlantArrangement::set_layout(ArrangementLayout layout) {
 	} else if (Layout(layout) != arrangement.layout) {
 		arrangement.layout = Layout(layout);
 		notify_property_list_changed();
+		report_change();
+	}
+}
+
+void PlantArrangement::set_visible(bool shown) {
+	if (shown != visible) {
+		visible = shown;
 		report_change();
 	}
 }

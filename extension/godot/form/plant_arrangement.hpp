@@ -30,6 +30,7 @@ private:
 	godot::Ref<godot::Curve> angle_curve;
 	godot::Ref<godot::Curve> scale_curve;
 	godot::Array carries; // Of PlantArrangement.
+	bool visible = true;
 	bool is_reporting = false; // A change is being reported; stops arrangements that carry themselves.
 
 	void report_change();
@@ -56,6 +57,8 @@ public:
 
 	void set_layout(ArrangementLayout layout);
 	ArrangementLayout get_layout() const { return ArrangementLayout(int64_t(arrangement.layout)); }
+	void set_visible(bool shown);
+	bool get_visible() const { return visible; }
 	void set_part(const godot::Ref<PlantPart> &kind);
 	godot::Ref<PlantPart> get_part() const { return part; }
 	void set_count(const godot::Vector2i &range);

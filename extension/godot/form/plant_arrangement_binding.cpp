@@ -51,6 +51,7 @@ static PropertyInfo resource(const char *name, const char *type) {
 void PlantArrangement::_bind_methods() {
 	ClassDB::bind_static_method("PlantArrangement", D_METHOD("of", "values"), &PlantArrangement::of);
 	ClassDB::bind_method(D_METHOD("_on_changed"), &PlantArrangement::on_changed);
+	UNDERGROWTH_ADD(visible, PropertyInfo(Variant::BOOL, "visible"));
 	UNDERGROWTH_ADD(layout, PropertyInfo(Variant::INT, "layout", PROPERTY_HINT_ENUM, "Along,Whorl,Disc,Ground"));
 	UNDERGROWTH_ADD(part, resource("part", "PlantPart"));
 	UNDERGROWTH_ADD(count, PropertyInfo(Variant::VECTOR2I, "count", PROPERTY_HINT_RANGE, "0,200,1,or_greater"));

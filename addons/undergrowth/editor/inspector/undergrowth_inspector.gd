@@ -1,20 +1,48 @@
 @tool
 extends EditorInspectorPlugin
-## Adds a moving plant above a species' properties, and the force over time above a wind's. Explains
-## a plant's height of 0.
+## Adds a moving plant and the tree of its parts above a species' properties, and the force over
+## time above a wind's. Shows ranges as one control, and numbers below 0 as what they mean.
 
 const PlantInspectorView := preload("plant_inspector_view.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")
 const HeightProperty := preload("height_property.gd")
+const RangeProperty := preload("range_property.gd")
+const WordedProperty := preload("worded_property.gd")
+const PartsEditor := preload("../parts/parts_editor.gd")
 const FirstDrawing := preload("../plant_page/first_drawing.gd")
 const Translations := preload("../translations/translations.gd")
 const PLANT_VIEW := preload("plant_inspector_view.tscn")
 const WIND_VIEW := preload("wind_inspector_view.tscn")
 const HEIGHT := "height"
+const PARTS := "arrangements"
+## Classes with ranges or words.
+const CLASSES: Array[StringName] = [
+	&"PlantFunction",
+	&"PlantWind",
+	&"Plant3D",
+	&"PlantArrangement",
+	&"PlantPart",
+	&"PlantStem",
+	&"PlantFieldSpecies",
+]
+## Properties with the smaller number first, and those with the first and the last part of a row.
+const RANGES: Array[String] = ["count", "length", "scale_range"]
+const SPANS: Array[String] = ["angle", "tilt", "scale", "diameter"]
+## What stands for numbers below 0.
+const WORDS: Dictionary[String, String] = {
+	"taper": "as drawn",
+	"head_mass": "as drawn",
+	"head_drag_area": "as drawn",
+	"leaf_mass": "as drawn",
+	"leaf_drag_area": "as drawn",
+	"drag_area": "by wind weight",
+	"wind_weight": "automatic",
+	"turbulence": "by roughness",
+}
 
 
 func _can_handle(object: Object) -> bool:
-	return object is PlantFunction or object is PlantWind or object is Plant3D
+	return CLASSES.any(func(kind: StringName) -> bool: return object.is_class(kind))
 
 
 func _parse_begin(object: Object) -> void:
@@ -22,6 +50,10 @@ func _parse_begin(object: Object) -> void:
 		var plant_view: PlantInspectorView = PLANT_VIEW.instantiate()
 		plant_view.function = object
 		add_custom_control(plant_view)
+		if _has_tree(object as PlantFunction):
+			var parts := PartsEditor.new()
+			parts.setup(object as PlantFunction)
+			add_custom_control(parts)
 	elif object is PlantWind:
 		var wind_view: WindInspectorView = WIND_VIEW.instantiate()
 		wind_view.wind = object
@@ -33,17 +65,35 @@ func _parse_begin(object: Object) -> void:
 
 func _parse_property(
 	object: Object,
-	_type: Variant.Type,
+	type: Variant.Type,
 	name: String,
 	_hint: PropertyHint,
-	_hint_string: String,
+	hint_string: String,
 	_usage: int,
 	_wide: bool
 ) -> bool:
-	if object is not Plant3D or name != HEIGHT:
-		return false
-	add_property_editor(name, HeightProperty.new())
-	return true
+	if object is Plant3D:
+		if name == HEIGHT:
+			add_property_editor(name, HeightProperty.new())
+		return name == HEIGHT
+	if object is PlantFunction and name == PARTS:
+		return _has_tree(object as PlantFunction)
+	if type in [TYPE_VECTOR2, TYPE_VECTOR2I] and name in RANGES + SPANS:
+		var pair := RangeProperty.new()
+		pair.setup(type == TYPE_VECTOR2I, hint_string, "–" if name in RANGES else "→")
+		add_property_editor(name, pair)
+		return true
+	if type == TYPE_FLOAT and WORDS.has(name):
+		var worded := WordedProperty.new()
+		worded.setup(hint_string, Translations.text(WORDS[name]))
+		add_property_editor(name, worded)
+		return true
+	return false
+
+
+# A simple stem without parts keeps the plain list.
+static func _has_tree(function: PlantFunction) -> bool:
+	return function.get_class() == "PlantFunction" or not function.arrangements.is_empty()
 
 
 # A new species of curves is a bare cone.

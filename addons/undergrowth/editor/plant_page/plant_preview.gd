@@ -10,6 +10,8 @@ const Traits := preload("species_traits.gd")
 const WindClock := preload("../wind_page/wind_clock.gd")
 ## Gap between the four levels, as a fraction of the plant's height.
 const LEVEL_GAP := 0.45
+## Number of plants side by side that differ by seed.
+const SEEDS := 4
 const GROUND_RADIUS := 1.6
 const LONGEST_FRAME := 0.1
 const LABEL_NAME := "Level"
@@ -53,6 +55,7 @@ var _refresh_is_queued := false
 @onready var _rings: Button = %Rings
 @onready var _bones: Button = %Bones
 @onready var _levels: Button = %Levels
+@onready var _seeds: Button = %Seeds
 @onready var _reset: Button = %Reset
 
 
@@ -66,8 +69,10 @@ func setup(state: EditorState) -> void:
 	_state.function_chosen.connect(_on_function_chosen)
 	_state.function_edited.connect(_queue_refresh)
 	_state.view_changed.connect(_queue_refresh)
-	for toggle: Button in [_rings, _bones, _levels]:
+	for toggle: Button in [_rings, _bones]:
 		toggle.toggled.connect(func(_on: bool) -> void: _refresh())
+	_levels.toggled.connect(_on_row_toggled.bind(_seeds))
+	_seeds.toggled.connect(_on_row_toggled.bind(_levels))
 	_reset.pressed.connect(_camera.restart)
 	_view.gui_input.connect(_on_view_input)
 	for part: Control in [_view, _tools, _counts_panel]:
@@ -99,6 +104,7 @@ func _apply_theme() -> void:
 	_rings.icon = get_theme_icon(&"Grid", &"EditorIcons")
 	_bones.icon = get_theme_icon(&"Bone", &"EditorIcons")
 	_levels.icon = get_theme_icon(&"Panels4", &"EditorIcons")
+	_seeds.icon = get_theme_icon(&"RandomNumberGenerator", &"EditorIcons")
 	_reset.icon = get_theme_icon(&"CenterView", &"EditorIcons")
 	var backdrop := StyleBoxFlat.new()
 	backdrop.bg_color = Color(get_theme_color(&"base_color", &"Editor"), BACKDROP_OPACITY)
@@ -111,7 +117,14 @@ func _apply_theme() -> void:
 	_counts.add_theme_font_size_override(&"font_size", font_size)
 
 
-# Number of shown plants: one, or one per level.
+# Levels and seeds are in the same row of plants: one toggle switches the other off.
+func _on_row_toggled(is_on: bool, other: Button) -> void:
+	if is_on:
+		other.set_pressed_no_signal(false)
+	_refresh()
+
+
+# Number of shown plants: one, or one per level or seed.
 func _set_plant_count(count: int) -> void:
 	while _plants.size() > count:
 		_plants.pop_back().queue_free()
@@ -138,7 +151,7 @@ func _on_function_chosen() -> void:
 	if _piece:
 		_piece.queue_free()
 		_piece = null
-	for toggle: Button in [_rings, _bones, _levels]:
+	for toggle: Button in [_rings, _bones, _levels, _seeds]:
 		toggle.disabled = _state.mix != null
 	_queue_refresh()
 
@@ -158,7 +171,8 @@ func _refresh() -> void:
 		_show_nothing()
 		return
 	_hint_panel.visible = false
-	_set_plant_count(EditorState.LEVELS.size() if _levels.button_pressed else 1)
+	var count := EditorState.LEVELS.size() if _levels.button_pressed else 1
+	_set_plant_count(SEEDS if _seeds.button_pressed else count)
 	for i in _plants.size():
 		_show_plant(i)
 	_frame()
@@ -201,12 +215,12 @@ func _show_plant(index: int) -> void:
 	var plant := _plants[index]
 	plant.species = _state.function
 	plant.height = _state.height
-	plant.seed = _state.seed_value
-	plant.segments = EditorState.LEVELS[index] if _plants.size() > 1 else _state.segments
+	plant.seed = _state.seed_value + (index if _seeds.button_pressed else 0)
+	plant.segments = EditorState.LEVELS[index] if _levels.button_pressed else _state.segments
 	plant.rebuild()
 	var label: Label3D = plant.get_node(LABEL_NAME)
 	label.visible = _plants.size() > 1
-	label.text = str(plant.segments)
+	label.text = str(plant.seed if _seeds.button_pressed else plant.segments)
 	label.position.y = plant.get_plant_height() * LABEL_HEIGHT
 
 

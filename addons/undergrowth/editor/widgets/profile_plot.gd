@@ -53,7 +53,7 @@ func _sample() -> void:
 
 func _sample_function(function: PlantFunction) -> void:
 	_radius = 0.0
-	for point in function.get_base_shape(EditorState.DEFAULT_SEGMENTS):
+	for point in function.get_base_shape(EditorState.NEAR_SEGMENTS):
 		_radius = maxf(_radius, Vector2(point.x, point.z).length())
 	for i in SAMPLES + 1:
 		var offset := float(i) / SAMPLES

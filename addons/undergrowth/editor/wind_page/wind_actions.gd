@@ -34,8 +34,8 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 
 
 ## Returns the wind that the page edits: that of the first selected plant, or of the first plant of
-## the edited scene if none is selected. Null: no plant has a wind that is saved with the scene or in
-## a file.
+## the edited scene if none is selected. Null: no plant has a wind that is saved with the scene, or
+## in a file.
 static func find_scene_wind() -> PlantWind:
 	var root := EditorInterface.get_edited_scene_root()
 	for plant in ScenePlants.chosen():

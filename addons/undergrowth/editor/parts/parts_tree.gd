@@ -1,0 +1,245 @@
+@tool
+extends Tree
+## The parts of a species as a tree: plant, fronds, leaflets. A row has a name, a count, a colour
+## and an eye. A click into the count edits it, a click on the colour changes it, a click on the eye
+## hides the parts, a drag changes the order or the carrier.
+
+## Emitted when another row was selected. Null: the plant itself.
+signal chosen(arrangement: PlantArrangement)
+
+const PartSteps := preload("part_steps.gd")
+const Translations := preload("../translations/translations.gd")
+## The columns.
+const NAME := 0
+const COUNT := 1
+const COLOR := 2
+const EYE := 3
+## Widths in pixels at 100 %.
+const COUNT_WIDTH := 54
+const COLOR_WIDTH := 30
+const EYE_WIDTH := 26
+const SWATCH := Vector2(22, 12)
+const MAX_ROWS := 14
+const DIM := 0.45
+
+var _function: PlantFunction
+var _steps: PartSteps
+# Selected arrangement, or null for the plant.
+var _chosen: PlantArrangement
+var _is_outdated := false
+var _picker: PopupPanel
+
+
+## Shows the parts of [param function]. Changes are steps of [param steps].
+func setup(function: PlantFunction, steps: PartSteps) -> void:
+	_function = function
+	_steps = steps
+	columns = 4
+	select_mode = SELECT_SINGLE
+	allow_reselect = true
+	scroll_horizontal_enabled = false
+	var scale_factor := EditorInterface.get_editor_scale()
+	set_column_expand(COUNT, false)
+	set_column_expand(COLOR, false)
+	set_column_custom_minimum_width(COUNT, int(COUNT_WIDTH * scale_factor))
+	set_column_expand(EYE, false)
+	set_column_custom_minimum_width(COLOR, int(COLOR_WIDTH * scale_factor))
+	set_column_custom_minimum_width(EYE, int(EYE_WIDTH * scale_factor))
+	set_column_clip_content(NAME, true)
+	item_mouse_selected.connect(_on_mouse_selected)
+	cell_selected.connect(_on_cell_selected)
+	item_edited.connect(_on_item_edited)
+	function.changed.connect(_update_soon)
+
+
+## Returns the selected arrangement, or null for the plant.
+func get_chosen() -> PlantArrangement:
+	return _chosen
+
+
+## Selects the row of [param arrangement]. Null: the plant.
+func choose(arrangement: PlantArrangement) -> void:
+	_chosen = arrangement
+	_update()
+	chosen.emit(_chosen)
+
+
+## Returns what carries [param arrangement]: another one, or the species. Null if it is not there.
+func find_carrier(arrangement: PlantArrangement) -> Resource:
+	return _find_carrier(_function, arrangement)
+
+
+func _find_carrier(carrier: Resource, arrangement: PlantArrangement) -> Resource:
+	var children := PartSteps.children_of(carrier)
+	if arrangement in children:
+		return carrier
+	for child in children:
+		var found := _find_carrier(child, arrangement) if child else null
+		if found:
+			return found
+	return null
+
+
+func _notification(what: int) -> void:
+	if _function and (what == NOTIFICATION_ENTER_TREE or what == NOTIFICATION_THEME_CHANGED):
+		_update_soon()
+
+
+# Once for any number of changes in a frame.
+func _update_soon() -> void:
+	if not _is_outdated:
+		_is_outdated = true
+		_update.call_deferred()
+
+
+func _update() -> void:
+	_is_outdated = false
+	if not is_inside_tree():
+		return
+	if _chosen and not find_carrier(_chosen):
+		_chosen = null
+		chosen.emit.call_deferred(null)
+	clear()
+	var top := create_item()
+	top.set_text(NAME, Translations.text("Plant"))
+	top.set_metadata(NAME, _function)
+	_add_rows(top, _function)
+	_select_chosen(top)
+	var rows := mini(_count_rows(top), MAX_ROWS)
+	var row := get_item_area_rect(top).size.y + get_theme_constant(&"v_separation")
+	var margins := get_theme_stylebox(&"panel").get_minimum_size().y
+	custom_minimum_size.y = rows * row + margins
+
+
+func _add_rows(item: TreeItem, carrier: Resource) -> void:
+	for arrangement in PartSteps.children_of(carrier):
+		if not arrangement:
+			continue
+		var row := item.create_child()
+		row.set_metadata(NAME, arrangement)
+		row.set_text(NAME, PartSteps.title_of(arrangement))
+		row.set_text(COUNT, PartSteps.describe_count(arrangement.count))
+		row.set_editable(COUNT, true)
+		row.set_tooltip_text(
+			COUNT, Translations.text("Number of parts on each carrier, such as 9 or 7–9.")
+		)
+		var eye := &"GuiVisibilityVisible" if arrangement.visible else &"GuiVisibilityHidden"
+		row.set_icon(EYE, get_theme_icon(eye, &"EditorIcons"))
+		row.set_tooltip_text(EYE, Translations.text("Show or hide these parts."))
+		if arrangement.part:
+			row.set_icon(COLOR, _make_swatch(PartSteps.color_of(arrangement.part)))
+			row.set_tooltip_text(COLOR, Translations.text("Color of these parts."))
+		if not arrangement.visible:
+			for column in columns:
+				row.set_custom_color(column, Color(get_theme_color(&"font_color"), DIM))
+		_add_rows(row, arrangement)
+
+
+func _make_swatch(color: Color) -> Texture2D:
+	var extent := Vector2i(SWATCH * EditorInterface.get_editor_scale())
+	var image := Image.create_empty(extent.x, extent.y, false, Image.FORMAT_RGB8)
+	image.fill(color)
+	return ImageTexture.create_from_image(image)
+
+
+func _select_chosen(top: TreeItem) -> void:
+	var item := top
+	while item:
+		if item.get_metadata(NAME) == (_chosen if _chosen else _function):
+			item.select(NAME)
+			return
+		item = item.get_next_in_tree()
+
+
+func _count_rows(top: TreeItem) -> int:
+	var count := 0
+	var item := top
+	while item:
+		count += 1
+		item = item.get_next_in_tree()
+	return count
+
+
+func _on_cell_selected() -> void:
+	var arrangement := get_selected().get_metadata(NAME) as PlantArrangement
+	if arrangement != _chosen:
+		_chosen = arrangement
+		chosen.emit(arrangement)
+
+
+func _on_mouse_selected(_at: Vector2, button: int) -> void:
+	var item := get_selected()
+	if button != MOUSE_BUTTON_LEFT or not item or not item.get_metadata(NAME) is PlantArrangement:
+		return
+	if get_selected_column() == COUNT:
+		edit_selected.call_deferred(true)
+	elif get_selected_column() == COLOR:
+		_open_picker(item)
+	elif get_selected_column() == EYE:
+		_toggle(item.get_metadata(NAME) as PlantArrangement)
+
+
+func _on_item_edited() -> void:
+	var arrangement := get_edited().get_metadata(NAME) as PlantArrangement
+	var text := get_edited().get_text(COUNT)
+	var count := PartSteps.parse_count(text, arrangement.count)
+	_steps.set_value(arrangement, &"count", count, Translations.text("Change Count"))
+	_update_soon()  # Also if the text was no count.
+
+
+func _toggle(arrangement: PlantArrangement) -> void:
+	var shown := Translations.text("Show Part")
+	var title := Translations.text("Hide Part") if arrangement.visible else shown
+	_steps.set_value(arrangement, &"visible", not arrangement.visible, title)
+
+
+func _open_picker(item: TreeItem) -> void:
+	var part := (item.get_metadata(NAME) as PlantArrangement).part
+	if not part:
+		return
+	if _picker:
+		_picker.queue_free()
+	_picker = PopupPanel.new()
+	var colors := ColorPicker.new()
+	colors.edit_alpha = false
+	colors.color = PartSteps.color_of(part)
+	colors.color_changed.connect(
+		func(color: Color) -> void: _steps.shift_colors(part, color - PartSteps.color_of(part))
+	)
+	_picker.add_child(colors)
+	add_child(_picker)
+	var place := get_item_area_rect(item, COLOR)
+	_picker.popup(Rect2i(Vector2i(get_screen_position() + place.position), Vector2i.ZERO))
+
+
+func _get_drag_data(at: Vector2) -> Variant:
+	var item := get_item_at_position(at)
+	var arrangement := item.get_metadata(NAME) as PlantArrangement if item else null
+	if not arrangement:
+		return null
+	drop_mode_flags = DROP_MODE_ON_ITEM | DROP_MODE_INBETWEEN  # The end of a drag resets it.
+	var label := Label.new()
+	label.text = item.get_text(NAME)
+	set_drag_preview(label)
+	return {"type": "undergrowth_part", "part": arrangement, "function": _function}
+
+
+func _can_drop_data(at: Vector2, data: Variant) -> bool:
+	if data is not Dictionary or data.get("function") != _function:
+		return false
+	var item := get_item_at_position(at)
+	return item and not PartSteps.contains(data["part"], item.get_metadata(NAME))
+
+
+func _drop_data(at: Vector2, data: Variant) -> void:
+	var item := get_item_at_position(at)
+	var target := item.get_metadata(NAME) as Resource
+	var arrangement: PlantArrangement = data["part"]
+	var from := find_carrier(arrangement)
+	var section := get_drop_section_at_position(at)
+	if section == 0 or target == _function:
+		_steps.move(arrangement, from, target, PartSteps.children_of(target).size())
+	else:
+		var to := find_carrier(target as PlantArrangement)
+		var index := PartSteps.children_of(to).find(target as PlantArrangement)
+		_steps.move(arrangement, from, to, index + (1 if section > 0 else 0))
