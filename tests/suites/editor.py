@@ -30,7 +30,7 @@ TIMEOUT = 1800
 # own. The last one opens the project that all previous runs saved.
 RUNS = ("actions", "pages", "layout", "layout_1920", "again")
 LAYOUTS = ("layout", "layout_1920")
-ALONE = {"test_again": ("again",), "test_first_clicks": ("layout",), "test_layout": LAYOUTS, "test_styles": LAYOUTS}
+ALONE = {"test_again": ("again",), "test_first_clicks": ("layout",), "test_parts": ("layout",), "test_layout": LAYOUTS, "test_styles": LAYOUTS}
 ACTIONS = ("test_actions", "test_bake", "test_faulty")
 # 6 is the editor's word for 200 %, 2 for 100 %.
 USUAL_SCALE = "interface/editor/display_scale = 2\n"

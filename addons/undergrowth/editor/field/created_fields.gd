@@ -46,7 +46,9 @@ func _complete(field: PlantField3D) -> void:
 	if not is_instance_valid(field) or not root or not field.is_inside_tree():
 		return
 	field.wind = SceneActions.to_scene_wind(_state.own_wind, root)
-	var place := FieldPlacing.find(root, field) if field != root else null
+	# A field that was created around other nodes stays with them.
+	var is_alone := field != root and field.get_child_count() == 0
+	var place := FieldPlacing.find(root, field) if is_alone else null
 	if place:
 		place.lay(field, field.get_parent())
 		field.global_position = place.point
