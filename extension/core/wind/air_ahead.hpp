@@ -22,8 +22,10 @@ public:
 	static constexpr double SWING_SHARE = 0.2;
 	/// The same as a fraction of the period of waves; preserves 95 % of their amplitude.
 	static constexpr double WAVES_SHARE = 0.25;
-	static constexpr double SPACING =
-			4.0 / 60.0; ///< s, maximum; the error of tips is a few hundredths of their travel.
+	/// Maximum distance (m) that the patterns travel between samples: a texel of turbulence. The error of tips is then
+	/// a few hundredths of their motion, in gales too.
+	static constexpr double TRAVEL = 0.25;
+	static constexpr double SPACING = 4.0 / 60.0; ///< s, maximum.
 	static constexpr int MAX_STEPS = 4; ///< Maximum number of steps between samples.
 
 	/// The plants to sample for.
@@ -57,7 +59,7 @@ public:
 	void interpolate(const AirMoments &moments, int begin, int count, float *out_x, float *out_z,
 			SimdLevel level = best_simd_level()) const;
 	/// Steps from one sample to the next in `air`; 1: each step samples.
-	static int stride_in(const Air &air, float step, float swing);
+	static int stride_in(const Air &air, float step, float swing, float canopy_height);
 
 	std::size_t bytes() const;
 

@@ -447,9 +447,6 @@ void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	if (!is_due) {
 		return;
 	}
-	if (frame.wind.is_valid() && !frame.cameras.empty()) {
-		Ref<PlantWind>(frame.wind)->set_pivot(frame.cameras.front());
-	}
 	const Transform3D to_field = frame.axes.affine_inverse();
 	std::vector<glm::vec3> cameras;
 	for (const Vector3 &camera : frame.cameras) {
