@@ -60,6 +60,19 @@ glm::vec3 air_velocity(const Air &air, const AirTiles *tiles, double time, const
 /// of 0 or less: the canopy's top. A canopy height of 0: isolated plants on open ground.
 AirMoments moments_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes, float height = 0.0f);
 
+/// Plants that are higher than a plant and shelter it.
+struct TallerPlants {
+	float height = 0.0f; ///< m, of their canopy; 0: none.
+	float cover = 0.0f; ///< 0 to 1: a closed canopy.
+
+	bool operator==(const TallerPlants &other) const { return height == other.height && cover == other.cover; }
+};
+
+/// Wind at the top of plants of `canopy_height` among taller ones: in a closed canopy that at their height within it,
+/// by the extinction law, else a mean by `cover` of that and of the wind without taller plants.
+AirMoments moments_among(
+		const AirSnapshot &air, float canopy_height, const TallerPlants &taller, const PlantWinds &axes);
+
 /// Writes the velocities (m/s) at plants (x, z), in the axes of `moments`, to out_x and out_z. `lengths` (m) are the
 /// heights of isolated plants; null above a canopy.
 void sample_air(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z,

@@ -77,7 +77,7 @@ void AirAhead::prepare(const FieldWind &wind, const PlantWinds &along, double mo
 	for (int sample = first; sample <= last; sample++) {
 		WindSnapshot then = {};
 		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
-		AirMoments moments = moments_over(then.air, plants.canopy_height, along);
+		AirMoments moments = moments_among(then.air, plants.canopy_height, plants.taller, along);
 		moments.mean = 0.0f; // Above a canopy interpolate() adds it; isolated plants use another member.
 		for (int begin = 0; begin < plants.count; begin += BLOCK) {
 			const int some = std::min(BLOCK, plants.count - begin);

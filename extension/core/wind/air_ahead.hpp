@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wind/wind_kernels.hpp"
+#include "wind/air.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,6 @@
 
 namespace undergrowth {
 
-struct Air;
 struct FieldWind;
 
 /// Samples the air at the plants of a page ahead of the steps, and interpolates between four samples with the cubic of
@@ -35,6 +34,7 @@ public:
 		int count;
 		float canopy_height; ///< m; 0: isolated plants.
 		float swing; ///< s, period of the fastest plant.
+		TallerPlants taller = {};
 	};
 
 	AirAhead() = default;

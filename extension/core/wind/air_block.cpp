@@ -83,6 +83,18 @@ AirMoments moments_over(const AirSnapshot &air, float canopy_height, const Plant
 	return moments;
 }
 
+AirMoments moments_among(
+		const AirSnapshot &air, float canopy_height, const TallerPlants &taller, const PlantWinds &axes) {
+	AirMoments moments = moments_over(air, canopy_height, axes);
+	if (taller.cover > 0.0f && canopy_height > 0.0f && taller.height > canopy_height) {
+		const AirMoments within = moments_over(air, taller.height, axes, canopy_height);
+		moments.mean += taller.cover * (within.mean - moments.mean);
+		moments.gust += taller.cover * (within.gust - moments.gust);
+		moments.side_gust += taller.cover * (within.side_gust - moments.side_gust);
+	}
+	return moments;
+}
+
 void add_gust(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z, int count,
 		float *out_x, float *out_z, SimdLevel level) {
 	if (wind.gust == 0.0f) {

@@ -40,7 +40,7 @@ void FieldMotion::wait() {
 	for (const Height &one : std::exchange(heights, {})) {
 		const int page = rows_of(one.ref.chunk).page;
 		if (!simulation->page(page).is_gone(row_of(one.ref))) {
-			simulation->page(page).set_plant(row_of(one.ref), one.plant);
+			simulation->set_plant(page, row_of(one.ref), one.plant);
 			textures->set_height(page, row_of(one.ref), one.share);
 		}
 	}
