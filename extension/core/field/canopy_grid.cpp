@@ -30,6 +30,11 @@ void CanopyGrid::set_height(int species, float height) {
 	heights[index] = height;
 }
 
+float CanopyGrid::height(int species) const {
+	const auto index = static_cast<std::size_t>(species);
+	return index < heights.size() ? heights[index] : 0.0f;
+}
+
 void CanopyGrid::add(int species, float x, float z, float drag_area) {
 	const auto index = static_cast<std::size_t>(species);
 	const auto area = static_cast<double>(drag_area);
@@ -39,11 +44,11 @@ void CanopyGrid::add(int species, float x, float z, float drag_area) {
 	heights.resize(std::max(heights.size(), index + 1), 0.0f);
 	const int64_t whole = std::llround(UNIT * std::clamp(area, -MAX_AREA, MAX_AREA));
 	const uint64_t key = key_of(cell_at(x), cell_at(z));
-	for (Areas *areas : { &cells[key], &total }) {
+	Areas &left = cells[key];
+	for (Areas *areas : { &left, &total }) {
 		areas->resize(std::max(areas->size(), index + 1), 0);
 		(*areas)[index] += whole;
 	}
-	const Areas &left = cells.at(key);
 	if (whole < 0 && std::all_of(left.begin(), left.end(), [](int64_t one) { return one == 0; })) {
 		cells.erase(key);
 	}
@@ -56,10 +61,9 @@ void CanopyGrid::clear() {
 	changes++;
 }
 
-void CanopyGrid::add_taller(int species, const Areas &areas, double weight, Sum &sum) const {
-	const float own = heights[static_cast<std::size_t>(species)];
+void CanopyGrid::add_higher(float height, const Areas &areas, double weight, Sum &sum) const {
 	for (std::size_t i = 0; i < areas.size(); i++) {
-		if (heights[i] > own) {
+		if (heights[i] > height) {
 			const double area = weight * static_cast<double>(areas[i]);
 			sum.area += area;
 			sum.moment += area * static_cast<double>(heights[i]);
@@ -67,7 +71,7 @@ void CanopyGrid::add_taller(int species, const Areas &areas, double weight, Sum 
 	}
 }
 
-TallerPlants CanopyGrid::taller_than(int species, const glm::vec3 &low, const glm::vec3 &high) const {
+TallerPlants CanopyGrid::higher_than(float height, const glm::vec3 &low, const glm::vec3 &high) const {
 	Sum sum;
 	const int32_t first_x = cell_at(low.x), last_x = cell_at(high.x);
 	const int32_t first_z = cell_at(low.z), last_z = cell_at(high.z);
@@ -78,17 +82,17 @@ TallerPlants CanopyGrid::taller_than(int species, const glm::vec3 &low, const gl
 			sum.ground += weight;
 			const auto found = cells.find(key_of(x, z));
 			if (found != cells.end()) {
-				add_taller(species, found->second, weight, sum);
+				add_higher(height, found->second, weight, sum);
 			}
 		}
 	}
 	return sum.canopy();
 }
 
-TallerPlants CanopyGrid::taller_than(int species) const {
+TallerPlants CanopyGrid::higher_than(float height) const {
 	Sum sum;
 	sum.ground = static_cast<double>(cells.size());
-	add_taller(species, total, 1.0, sum);
+	add_higher(height, total, 1.0, sum);
 	return sum.canopy();
 }
 
@@ -99,6 +103,29 @@ TallerPlants CanopyGrid::Sum::canopy() const {
 	const double cell = static_cast<double>(CELL) * static_cast<double>(CELL);
 	const double share = area / UNIT / (ground * cell) / static_cast<double>(CLOSED);
 	return { static_cast<float>(moment / area), static_cast<float>(std::min(share, 1.0)) };
+}
+
+bool CanopyGrid::grows_at(int species, const glm::vec3 &place) const {
+	const auto index = static_cast<std::size_t>(species);
+	for (int32_t around = 0; around < 9; around++) {
+		const auto found = cells.find(key_of(cell_at(place.x) + around % 3 - 1, cell_at(place.z) + around / 3 - 1));
+		if (found != cells.end() && index < found->second.size() && found->second[index] > 0) {
+			return true;
+		}
+	}
+	return false;
+}
+
+PlantCanopy CanopyGrid::around(const glm::vec3 &place, float height_of_plant, int species) const {
+	constexpr float AS_HIGH = 0.7f;
+	constexpr float HALF = 0.5f;
+	if (grows_at(species, place)) {
+		return { height(species), higher_than(height(species), place, place) };
+	}
+	if (higher_than(AS_HIGH * height_of_plant, place, place).cover < HALF) {
+		return {};
+	}
+	return { height_of_plant, higher_than(height_of_plant, place, place) };
 }
 
 std::size_t CanopyGrid::bytes() const {

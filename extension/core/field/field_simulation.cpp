@@ -156,7 +156,7 @@ void FieldSimulation::drop(int page, int index) {
 	if (!entry.followers.empty()) {
 		follow_again(entry, index);
 	}
-	if (has_canopy() && !entry.page.is_gone(index)) {
+	if (!entry.page.is_gone(index)) {
 		const glm::vec3 root = entry.page.root(index);
 		canopy.add(entry.page.species(), root.x, root.z, -entry.page.drag_area(index));
 	}
@@ -166,7 +166,7 @@ void FieldSimulation::drop(int page, int index) {
 void FieldSimulation::set_plant(int page, int index, const MotionPlant &plant) {
 	MotionPage &own = at(page).page;
 	const auto count = [&](float sign) {
-		if (has_canopy() && !own.is_gone(index)) {
+		if (!own.is_gone(index)) {
 			const glm::vec3 root = own.root(index);
 			canopy.add(own.species(), root.x, root.z, sign * own.drag_area(index));
 		}

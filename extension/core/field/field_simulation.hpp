@@ -180,6 +180,11 @@ public:
 	/// the pose at the end of the present step.
 	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
 
+	/// As CanopyGrid::around(). Any thread, also during steps.
+	PlantCanopy canopy_around(const glm::vec3 &place, float height, int species) const {
+		return canopy.around(place, height, species);
+	}
+
 	/// Heap bytes (capacity) divided by plants; 0 without plants.
 	double bytes_per_plant() const;
 
@@ -241,7 +246,6 @@ private:
 	void update_box();
 	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
-	bool has_canopy() const { return species_count() > 1; }
 	void add_to_canopy(const MotionPage &page, int first, float sign);
 	void rebuild_canopy();
 	void shelter_page(int page);

@@ -10,10 +10,9 @@ constexpr float BETWEEN_READINGS = 1.0f; // s.
 
 } // namespace
 
-/// Adds the live plants of a page from row `first` on, or removes them with a sign of -1. A field of one species has no
-/// taller plants.
+/// Adds the live plants of a page from row `first` on, or removes them with a sign of -1.
 void FieldSimulation::add_to_canopy(const MotionPage &page, int first, float sign) {
-	for (int row = first; row < page.size() && has_canopy(); row++) {
+	for (int row = first; row < page.size(); row++) {
 		if (!page.is_gone(row)) {
 			canopy.add(page.species(), page.roots_x()[row], page.roots_z()[row], sign * page.drag_area(row));
 		}
@@ -21,9 +20,6 @@ void FieldSimulation::add_to_canopy(const MotionPage &page, int first, float sig
 }
 
 void FieldSimulation::rebuild_canopy() {
-	if (!has_canopy()) {
-		return;
-	}
 	for (int species = 0; species < species_count(); species++) {
 		canopy.set_height(species, kinds[static_cast<std::size_t>(species)].canopy_height);
 	}
@@ -38,23 +34,23 @@ void FieldSimulation::rebuild_canopy() {
 void FieldSimulation::shelter_page(int page) {
 	Beat &own = beat(page);
 	const bool is_due = own.canopy_version < 0 || own.last_step - own.canopy_step >= steps_in(BETWEEN_READINGS);
-	if (!has_canopy() || own.canopy_version == canopy.version() || !is_due) {
+	if (species_count() < 2 || own.canopy_version == canopy.version() || !is_due) {
 		return;
 	}
 	own.canopy_version = canopy.version();
 	own.canopy_step = own.last_step;
 	MotionPage &plants = at(page).page;
-	plants.set_taller_plants(canopy.taller_than(plants.species(), plants.low(), plants.high()));
+	plants.set_taller_plants(canopy.higher_than(canopy.height(plants.species()), plants.low(), plants.high()));
 }
 
 /// Prototypes have the mean canopy of the field.
 void FieldSimulation::shelter_prototypes() {
-	if (!has_canopy() || canopy_of_models == canopy.version()) {
+	if (species_count() < 2 || canopy_of_models == canopy.version()) {
 		return;
 	}
 	canopy_of_models = canopy.version();
 	for (std::size_t i = 0; i < models.size(); i++) {
-		models[i].set_taller_plants(canopy.taller_than(static_cast<int>(i)));
+		models[i].set_taller_plants(canopy.higher_than(canopy.height(static_cast<int>(i))));
 	}
 }
 

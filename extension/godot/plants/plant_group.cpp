@@ -19,13 +19,15 @@ bool ForceSettings::operator==(const ForceSettings &other) const {
 
 bool PlantKind::operator==(const PlantKind &other) const {
 	return wind == other.wind && frame == other.frame && is_same_motion(species, other.species) &&
-			forces == other.forces;
+			forces == other.forces && taller == other.taller;
 }
 
 PlantGroup::PlantGroup(const PlantKind &of, float step) :
 		kind(of),
 		page(0, of.species, nullptr, 0, step, true, MotionPage::Keeps::directions),
-		axes(matrix_of(axes_of(of.frame))) {}
+		axes(matrix_of(axes_of(of.frame))) {
+	page.set_taller_plants(of.taller);
+}
 
 void PlantGroup::add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone) {
 	plants.push_back(plant);

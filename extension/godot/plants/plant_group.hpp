@@ -34,6 +34,7 @@ struct PlantKind {
 	godot::Ref<PlantWind> wind; ///< Null: still air.
 	PlantFrame frame = PlantFrame::WORLD; ///< Axes of the page's directions; roots are in world axes.
 	ForceSettings forces;
+	TallerPlants taller = {}; ///< Of a field around them.
 
 	bool operator==(const PlantKind &other) const;
 };

@@ -37,12 +37,12 @@ CanopyGrid three_species() {
 }
 
 TallerPlants at(const CanopyGrid &grid, int species, float place) {
-	return grid.taller_than(species, { place, 0.0f, 20.0f }, { place + 1.0f, 1.0f, 21.0f });
+	return grid.higher_than(grid.height(species), { place, 0.0f, 20.0f }, { place + 1.0f, 1.0f, 21.0f });
 }
 
 MotionSpecies springs_of(float height) {
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
-	species.joint.drag_area = 0.06f;
+	species.joint.drag_area = 0.03f;
 	species.joint.natural_frequency = 4.0f;
 	species.canopy_height = height;
 	return species;
@@ -101,25 +101,26 @@ float slope_of_low(bool has_tall, int prototypes = 0) {
 
 } // namespace
 
-TEST_CASE("a canopy is closed from a drag area of 0.3 per area of ground on, and has the height of the taller species") {
+TEST_CASE(
+		"a canopy is closed from a drag area of 0.15 per area of ground on, and has the height of the taller species") {
 	CanopyGrid grid = three_species();
 	CHECK(at(grid, LOW, 20.0f) == TallerPlants());
 	plant(grid, LOW, 40.0f, 4.0f, 0.1f);
 	CHECK(at(grid, LOW, 20.0f) == TallerPlants());
-	plant(grid, TALL, 40.0f, 2.0f, 0.15f / 4.0f);
+	plant(grid, TALL, 40.0f, 2.0f, 0.075f / 4.0f);
 	CHECK(at(grid, LOW, 20.0f).cover == doctest::Approx(0.5));
 	CHECK(at(grid, LOW, 20.0f).height == doctest::Approx(TALL_HEIGHT));
 	CHECK(at(grid, TALL, 20.0f) == TallerPlants());
-	plant(grid, TALLER, 40.0f, 2.0f, 0.45f / 4.0f);
+	plant(grid, TALLER, 40.0f, 2.0f, 0.225f / 4.0f);
 	CHECK(at(grid, LOW, 20.0f).cover == 1.0f);
 	CHECK(at(grid, LOW, 20.0f).height == doctest::Approx(0.25 * TALL_HEIGHT + 0.75 * TALLER_HEIGHT));
 	CHECK(at(grid, TALL, 20.0f).height == doctest::Approx(TALLER_HEIGHT));
-	CHECK(grid.taller_than(LOW) == at(grid, LOW, 20.0f));
+	CHECK(grid.higher_than(LOW_HEIGHT) == at(grid, LOW, 20.0f));
 }
 
 TEST_CASE("shelter begins over two cells at the edge of a canopy") {
 	CanopyGrid grid = three_species();
-	plant(grid, TALL, 40.0f, 2.0f, 0.3f / 4.0f);
+	plant(grid, TALL, 40.0f, 2.0f, 0.16f / 4.0f);
 	CHECK(at(grid, LOW, -9.0f).cover == 0.0f);
 	const float outside = at(grid, LOW, -3.0f).cover;
 	const float inside = at(grid, LOW, 1.0f).cover;
@@ -179,4 +180,18 @@ TEST_CASE("low plants feel more wind when the taller ones are removed or mown") 
 	};
 	CHECK(slope_after(false) == 0.0f);
 	CHECK(slope_after(true) < 0.02f);
+}
+
+TEST_CASE("a plant beside a field's own has their canopy, and other plants a canopy if they are not much higher") {
+	CanopyGrid grid = three_species();
+	const glm::vec3 place = { 20.0f, 0.0f, 20.0f };
+	plant(grid, LOW, 40.0f, 2.0f, 0.16f / 4.0f);
+	CHECK(grid.around(place, 0.25f, LOW).height == LOW_HEIGHT);
+	CHECK(grid.around({ 60.0f, 0.0f, 20.0f }, 0.25f, LOW).height == 0.0f);
+	CHECK(grid.around(place, 0.25f, -1).height == 0.25f);
+	CHECK(grid.around(place, 0.5f, -1).height == 0.0f);
+	CHECK(grid.around(place, 0.5f, TALL).height == 0.0f);
+	plant(grid, TALL, 40.0f, 2.0f, 0.16f / 4.0f);
+	CHECK(grid.around(place, 0.5f, -1).taller == TallerPlants{ TALL_HEIGHT, 1.0f });
+	CHECK(grid.around(place, 0.25f, LOW).taller == TallerPlants{ TALL_HEIGHT, 1.0f });
 }

@@ -136,6 +136,10 @@ public:
 	glm::vec3 blocking_read_tip(const PlantRef &ref);
 	/// The bend that is drawn in this frame and the remaining values that move a plant's parts, in the field's axes.
 	StemMotion blocking_read_drawn_stem(const PlantRef &ref) const;
+	/// What grows around a plant that does not belong to the field (CanopyGrid::around()). Does not wait.
+	PlantCanopy canopy_around(const glm::vec3 &place, float height, int species) const {
+		return simulation ? simulation->canopy_around(place, height, species) : PlantCanopy();
+	}
 	bool blocking_is_point_in_plants(const glm::vec3 &point, float margin);
 	void write_state(const PlantRef &ref, const MotionState &state);
 	void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse);
