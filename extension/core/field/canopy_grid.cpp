@@ -10,6 +10,7 @@ namespace {
 constexpr double UNIT = 1e9; // Per m².
 constexpr double MAX_AREA = 1e3; // m², of one plant.
 constexpr double FARTHEST = 1e8; // Cells from the origin.
+constexpr int32_t MAX_CELLS = 64; // Of a side of a box. Over a larger one the mean of the field counts.
 constexpr double AROUND = 0.5; // Weight of the cells around a box.
 
 int32_t cell_at(float place) {
@@ -75,6 +76,9 @@ TallerPlants CanopyGrid::higher_than(float height, const glm::vec3 &low, const g
 	Sum sum;
 	const int32_t first_x = cell_at(low.x), last_x = cell_at(high.x);
 	const int32_t first_z = cell_at(low.z), last_z = cell_at(high.z);
+	if (last_x - first_x > MAX_CELLS || last_z - first_z > MAX_CELLS) {
+		return higher_than(height);
+	}
 	for (int32_t z = first_z - 1; z <= last_z + 1; z++) {
 		for (int32_t x = first_x - 1; x <= last_x + 1; x++) {
 			const bool is_around = x < first_x || x > last_x || z < first_z || z > last_z;

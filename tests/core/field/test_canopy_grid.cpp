@@ -195,3 +195,11 @@ TEST_CASE("a plant beside a field's own has their canopy, and other plants a can
 	CHECK(grid.around(place, 0.5f, -1).taller == TallerPlants{ TALL_HEIGHT, 1.0f });
 	CHECK(grid.around(place, 0.25f, LOW).taller == TallerPlants{ TALL_HEIGHT, 1.0f });
 }
+
+TEST_CASE("a box of any size is read at once") {
+	CanopyGrid grid = three_species();
+	plant(grid, TALL, 40.0f, 2.0f, 0.15f / 4.0f);
+	const glm::vec3 far(1e9f, 0.0f, 1e9f);
+	CHECK(grid.higher_than(LOW_HEIGHT, -far, far) == grid.higher_than(LOW_HEIGHT));
+	CHECK(grid.higher_than(LOW_HEIGHT, far, far) == TallerPlants());
+}
