@@ -180,6 +180,10 @@ public:
 	/// the pose at the end of the present step.
 	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
 
+	/// Speed (m/s) of the wind at the middle of the field now, at the tops of a species, without sources.
+	float air_speed(int species) const;
+	/// Speed (m/s) of the strongest source that reaches the field; 0: none.
+	float stirred_speed() const;
 	/// As CanopyGrid::around(). Any thread, also during steps.
 	PlantCanopy canopy_around(const glm::vec3 &place, float height, int species) const {
 		return canopy.around(place, height, species);

@@ -2,6 +2,11 @@
 
 #include "field/field_simulation.hpp"
 
+#include "motion/part_air.hpp"
+
+#include <algorithm>
+#include <cmath>
+
 namespace undergrowth {
 
 namespace {
@@ -52,6 +57,21 @@ void FieldSimulation::shelter_prototypes() {
 	for (std::size_t i = 0; i < models.size(); i++) {
 		models[i].set_taller_plants(canopy.higher_than(canopy.height(static_cast<int>(i))));
 	}
+}
+
+float FieldSimulation::air_speed(int species) const {
+	const MotionSpecies &kind = kinds[static_cast<std::size_t>(species)];
+	const TallerPlants taller = canopy.higher_than(canopy.height(species));
+	const glm::vec3 middle = 0.5f * (box_low + box_high);
+	return air_speed_at(wind_at_time(blowing, along, time()), along, kind, taller, kind.canopy_height, middle);
+}
+
+float FieldSimulation::stirred_speed() const {
+	float fastest = 0.0f;
+	for (const AirSource &source : stirring) {
+		fastest = std::max(fastest, std::fabs(source.speed));
+	}
+	return fastest;
 }
 
 } // namespace undergrowth
