@@ -61,7 +61,10 @@ func test_still_air_and_no_places() -> void:
 	check_equal(_wind.sample_over_canopy(3.0, PackedVector2Array()).size(), 0, "no places")
 	_wind.speed = 5.0
 	_wind.canopy_height = 0.0
-	check(_wind.sample_over_canopy(3.0, _row(1))[0].y > 0.0, "it blows over turf")
+	var sum := 0.0  # In lulls the air over plants flows backwards at some places.
+	for velocity in _wind.sample_over_canopy(3.0, _row(400)):
+		sum += velocity.y
+	check(sum > 0.0, "it blows over turf")
 
 
 func test_bad_queries_are_reported() -> void:

@@ -47,6 +47,7 @@ int FieldSimulation::add_species(const MotionSpecies &species) {
 		detached.emplace_back(species_count() - 1, species, options.step);
 		stirred.emplace_back();
 	}
+	rebuild_canopy();
 	return species_count() - 1;
 }
 
@@ -64,6 +65,7 @@ void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 		models[static_cast<std::size_t>(index)].set_species(species);
 		detached[static_cast<std::size_t>(index)].set_species(species);
 	}
+	rebuild_canopy();
 }
 
 int FieldSimulation::add_page(int species, const MotionPlant *plants, int count) {
@@ -116,6 +118,7 @@ bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count
 
 /// Updates the field's box and assigns prototypes for the new plants of a page.
 void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
+	add_to_canopy(entry.page, entry.page.size() - count, 1.0f);
 	if (count > 0) {
 		grow_box(entry.page, plant_rows == 0);
 		plant_rows += count;
@@ -153,7 +156,24 @@ void FieldSimulation::drop(int page, int index) {
 	if (!entry.followers.empty()) {
 		follow_again(entry, index);
 	}
+	if (!entry.page.is_gone(index)) {
+		const glm::vec3 root = entry.page.root(index);
+		canopy.add(entry.page.species(), root.x, root.z, -entry.page.drag_area(index));
+	}
 	entry.page.drop(index);
+}
+
+void FieldSimulation::set_plant(int page, int index, const MotionPlant &plant) {
+	MotionPage &own = at(page).page;
+	const auto count = [&](float sign) {
+		if (!own.is_gone(index)) {
+			const glm::vec3 root = own.root(index);
+			canopy.add(own.species(), root.x, root.z, sign * own.drag_area(index));
+		}
+	};
+	count(-1.0f);
+	own.set_plant(index, plant);
+	count(1.0f);
 }
 
 void FieldSimulation::remove_page(int page) {
@@ -162,6 +182,7 @@ void FieldSimulation::remove_page(int page) {
 		follow_again(entry, static_cast<int>(i));
 	}
 	entry.followers = {};
+	add_to_canopy(entry.page, 0, -1.0f);
 	const int species = entry.page.species();
 	entry.page =
 			MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());
@@ -251,6 +272,7 @@ void FieldSimulation::step_prototypes(int64_t number) {
 }
 
 void FieldSimulation::begin_step() {
+	shelter_prototypes();
 	for (int64_t number = next_step == 0 ? -Prototypes::SLOTS : 0; number < 0; number++) {
 		step_prototypes(number);
 	}
@@ -303,6 +325,7 @@ void FieldSimulation::step_page(int page) {
 	if (entry.page.step_length() != step_length) {
 		entry.page.set_step_length(step_length);
 	}
+	shelter_page(page);
 	const double moment = static_cast<double>(beat(page).last_step) + entry.page.wind_moment() * interval;
 	WindSnapshot now = wind_at_time(blowing, along, moment * static_cast<double>(options.step));
 	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
@@ -592,7 +615,7 @@ bool FieldSimulation::is_point_in_plants(const glm::vec3 &point, float margin) c
 double FieldSimulation::bytes_per_plant() const {
 	const int plants = plant_count();
 	std::size_t bytes = entries.capacity() * sizeof(Entry) + beats.capacity() * sizeof(Beat) +
-			due_at.capacity() * sizeof(int64_t) + stepping.capacity() * sizeof(int);
+			due_at.capacity() * sizeof(int64_t) + stepping.capacity() * sizeof(int) + canopy.bytes();
 	for (const Entry &entry : entries) {
 		bytes += entry.page.bytes() - sizeof(MotionPage) + entry.followers.capacity() * sizeof(Follower);
 	}

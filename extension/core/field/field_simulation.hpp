@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/canopy_grid.hpp"
 #include "field/detached_followers.hpp"
 #include "field/field_settings.hpp"
 #include "field/follow_delays.hpp"
@@ -52,6 +53,8 @@ public:
 	bool add_to_page(int page, const MotionPlant *plants, int count);
 	/// Removes a plant; other indices do not change. Its row remains, but bodies, blows, contact and queries skip it.
 	void drop(int page, int index);
+	/// Changes position, length and rest of a plant, as MotionPage::set_plant().
+	void set_plant(int page, int index, const MotionPlant &plant);
 	/// Removes a page with its plants; other page numbers do not change. Until add_page() reuses the number, it refers
 	/// to an empty page.
 	void remove_page(int page);
@@ -177,6 +180,15 @@ public:
 	/// the pose at the end of the present step.
 	bool is_point_in_plants(const glm::vec3 &point, float margin) const;
 
+	/// Speed (m/s) of the wind at the middle of the field now, at the tops of a species, without sources.
+	float air_speed(int species) const;
+	/// Speed (m/s) of the strongest source that reaches the field; 0: none.
+	float stirred_speed() const;
+	/// As CanopyGrid::around(). Any thread, also during steps.
+	PlantCanopy canopy_around(const glm::vec3 &place, float height, int species) const {
+		return canopy.around(place, height, species);
+	}
+
 	/// Heap bytes (capacity) divided by plants; 0 without plants.
 	double bytes_per_plant() const;
 
@@ -198,6 +210,8 @@ private:
 		int64_t last_push = NEVER; ///< Step of the last push.
 		int64_t last_near = NEVER; ///< Last step at which a camera was near.
 		int64_t two_since = NEVER; ///< Step at which it started to step two modes.
+		int64_t canopy_version = -1; ///< Of the canopy that shelters it.
+		int64_t canopy_step = NEVER; ///< Step at which that was read.
 	};
 	static constexpr int64_t NEVER = -(int64_t(1) << 40);
 
@@ -219,6 +233,8 @@ private:
 	std::vector<MovingBody> pushing;
 	std::vector<AirSource> stirring;
 	AirDrift drift;
+	CanopyGrid canopy;
+	int64_t canopy_of_models = -1; ///< Version of the canopy that shelters the prototypes.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
 	float lead = 0.0f; ///< s.
@@ -234,6 +250,10 @@ private:
 	void update_box();
 	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
+	void add_to_canopy(const MotionPage &page, int first, float sign);
+	void rebuild_canopy();
+	void shelter_page(int page);
+	void shelter_prototypes();
 	void set_due(int page);
 	/// In the next step.
 	bool is_due(int page) const { return due_at[static_cast<std::size_t>(page)] == next_step; }

@@ -167,8 +167,9 @@ BendWay Prototypes::way(int mode, int prototype, float late, float fraction) con
 void Prototypes::step(const WindSnapshot &wind, const PlantWinds &along) {
 	WindSnapshot here = wind;
 	here.cycles_x = here.cycles_z = here.delay_x = here.delay_z = 0.0f;
-	for (AirMap *map : { &here.air.turbulence, &here.air.waves }) {
-		map->s_x = map->s_z = map->n_x = map->n_z = 0.0f;
+	for (AirMap *map : { &here.air.open.turbulence, &here.air.open.eddies, &here.air.canopy.turbulence,
+				 &here.air.canopy.eddies, &here.air.waves }) {
+		map->s_x = map->s_z = map->n_x = map->n_z = map->turn_x = map->turn_z = 0.0f;
 	}
 	page.step(here, along);
 	newest = (newest + 1) & (SLOTS - 1);

@@ -46,6 +46,9 @@ public:
 	/// Does not interrupt the motion; rest directions may change.
 	void set_species(const MotionSpecies &species);
 
+	/// As MotionPage::set_taller_plants().
+	void set_taller_plants(const TallerPlants &plants) { page.set_taller_plants(plants); }
+
 	/// Sets all prototypes and their history to rest.
 	void settle();
 

@@ -342,6 +342,17 @@ float MotionPage::length(int index) const {
 	return column(LENGTH)[index];
 }
 
+float MotionPage::drag_area(int index) const {
+	constexpr float USUAL = 0.05f; // m² of a plant of 1 m, for joints without a drag area.
+	const float length = column(LENGTH)[index];
+	if (kind.law != Law::stem && kind.joint.drag_area < 0.0f) {
+		return USUAL * length * length;
+	}
+	const float mean = kind.canopy_height > 0.0f ? kind.canopy_height : 1.0f;
+	const float ratio = length / mean;
+	return ratio * ratio * (kind.law == Law::stem ? whole.drag_area : kind.joint.drag_area);
+}
+
 glm::vec3 MotionPage::rest(int index) const {
 	if (!is_swinging || kind.law == Law::elasticity) {
 		return { 0.0f, 1.0f, 0.0f };

@@ -189,6 +189,12 @@ public:
 	/// Sets scale and `own` of `count` plants from `first` on. Without it plants have the default ones after a change
 	/// to a species with own frequencies.
 	void set_owns(int first, const MotionPlant *plants, int count);
+	/// Plants that shelter those of this page from air. A change takes effect at the next step.
+	void set_taller_plants(const TallerPlants &plants) { taller = plants; }
+	const TallerPlants &taller_plants() const { return taller; }
+	/// Drag area (m²) of plant `index`, its drag coefficient included: that of the species times the square of its
+	/// relative length.
+	float drag_area(int index) const;
 	/// Changes the step length (s) without interrupting the motion. Allocates nothing.
 	void set_step_length(float step);
 	/// Time within a step at which to sample the wind, as a fraction: the elasticity law kicks at the start of the
@@ -239,6 +245,7 @@ private:
 	int gone = 0;
 	bool was_moved = false;
 	float easing = 0.0f; ///< For the next step.
+	TallerPlants taller;
 	MotionSpecies kind;
 	StemConstants whole; ///< Stem law: constants of all modes. `kind` has those of the stepped modes.
 	SpringConstants spring = {};

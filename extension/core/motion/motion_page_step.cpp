@@ -189,7 +189,7 @@ float MotionPage::quickest_swing() const {
 void MotionPage::sample_air_ahead(
 		const FieldWind &wind, const PlantWinds &along, double moment, int turn, SimdLevel level) {
 	const AirAhead::Plants plants = { column(ROOT_X), column(ROOT_Z), lengths(), size(), kind.canopy_height,
-		quickest_swing() };
+		quickest_swing(), taller };
 	ahead.prepare(wind, along, moment, step_time, turn, plants, level);
 }
 
@@ -229,7 +229,7 @@ void MotionPage::step(const WindSnapshot &wind, const PlantWinds &along, SimdLev
 	const float slowing = step_time * drag * kind.joint.wind_weight / kind.joint.mass;
 	const bool has_stems = kind.law == Law::stem;
 	const PageWind over = { wind, along, ahead, column(ROOT_X), column(ROOT_Y), column(ROOT_Z), lengths(), box_low,
-		box_high, kind.canopy_height, drag, has_stems, level };
+		box_high, kind.canopy_height, taller, drag, has_stems, level };
 	BlockWind block;
 	for (int begin = 0; begin < size(); begin += BlockWind::PLANTS) {
 		const int count = std::min(BlockWind::PLANTS, size() - begin);

@@ -30,10 +30,11 @@ struct PageWind {
 	const float *lengths; ///< m.
 	glm::vec3 low, high; ///< m, of the page's box.
 	float canopy_height; ///< m; 0: isolated plants.
+	TallerPlants taller;
 	float drag; ///< kg/m, of a tip of the laws of one joint.
 	bool has_stems; ///< Stems take forces and air together. Under the other laws, forces near sources become air.
 	SimdLevel level;
-	AirMoments moments = wind.is_air ? moments_over(wind.air, canopy_height, along) : AirMoments{};
+	AirMoments moments = wind.is_air ? moments_among(wind.air, canopy_height, taller, along) : AirMoments{};
 	bool is_carried = wind.drift && wind.drift->has_effect();
 	bool is_stirred = is_carried || any_reaches(wind.sources, low, high);
 

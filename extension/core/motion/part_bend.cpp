@@ -21,7 +21,11 @@ constexpr float PRESS = 0.45f; // Fraction of the stem's own bend, for wind from
 // Increase on the windward side and decrease on the lee side, as a fraction of PRESS.
 constexpr float PRESS_OF_LEE = 0.4f;
 constexpr float LAG = 0.8f; // rad of the part's own swing.
-constexpr float FLUTTER = 0.5f;
+constexpr float FLUTTER = 0.12f; // Amplitude in fast air.
+constexpr float ONSET = 0.12f; // m/s per Hz: slowest air that makes parts flutter.
+// Air at a plant relative to its surroundings: upright plants are in a lull, bent ones in a gust.
+constexpr float LULL = 0.75f;
+constexpr float GUST = 0.5f;
 constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
@@ -57,10 +61,13 @@ glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem) {
 
 	const float swings = part.frequency * static_cast<float>(SWING_PERIOD);
 	const float slow = std::floor(0.625f * swings + 0.5f); // Also a whole number.
-	const float one = wave(stem.clock * swings + part.phase);
-	const float other = wave(stem.clock * slow + 2.618f * part.phase);
+	const float one = wave(stem.clock * swings + part.phase + stem.turns);
+	const float other = wave(stem.clock * slow + 2.618f * part.phase + stem.turns);
+	const float gust = far / (1.0f + far);
+	const float air = stem.air * (LULL + GUST * gust) + stem.stirred * gust;
+	const float strength = std::sqrt(std::max(1.0f - ONSET * part.frequency / std::max(air, EPSILON), 0.0f));
 	const float flutter =
-			FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * far / (1.0f + far);
+			FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * strength;
 	const glm::vec2 flap = part.is_head() ? wind : part.side;
 	bend += flap * (flutter * (0.7f * one + 0.3f * other)) + glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
 

@@ -17,6 +17,9 @@ struct StemMotion {
 	glm::vec2 rest = { 0.0f, 0.0f }; ///< The bend in calm air.
 	glm::vec2 second = { 0.0f, 0.0f }; ///< Part of the bend that is the second mode, in the frame of the rest.
 	float clock = 0.0f; ///< 0 to 1: phase within SWING_PERIOD.
+	float air = 0.0f; ///< m/s, around the plant (PartAir).
+	float stirred = 0.0f; ///< m/s, of the strongest source that reaches the field. Only bent stems feel it.
+	float turns = 0.0f; ///< 0 to 1: PartAir::turns().
 };
 
 /// Bend of a part relative to its stem: the stereographic image of its tip's turn about its pivot, at most
@@ -24,11 +27,12 @@ struct StemMotion {
 ///
 /// - the wind that bends the stem bends the part the same way, most on the windward side and least on the lee side,
 /// - it lags behind the stem, by a time that grows with its damping and falls with its frequency,
-/// - it flutters at about its frequency and its own phase, more for larger deflections of the stem, most on the lee
-///   side, and less with more damping,
+/// - it flutters in air that is faster than its onset, which grows with its frequency, at about its frequency and its
+///   own phase; soon with an amplitude that hardly grows, most on the lee side, and less with more damping (Tadrist et
+///   al. 2018),
 /// - stiff parts (of high frequency) move less, and no part folds far towards its stem or into the ground.
 ///
-/// So parts of a stem at rest are still, and come to rest with it. The result is bounded and finite for
+/// So parts of a stem at rest in calm air are still, and parts of a stem that a body holds in calm air, too. The result is bounded and finite for
 /// all inputs. undergrowth_part_bend() in addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for
 /// fields; change both together.
 glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem);

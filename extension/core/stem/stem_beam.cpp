@@ -229,6 +229,16 @@ void Solver::write_chords() {
 /// Of a uniform distribution with a standard deviation of 1: √3.
 static constexpr float UNIFORM_HALF_WIDTH = 1.7320508f;
 
+/// m², drag coefficients included.
+static float drag_area_of(const StemBeam &beam) {
+	const float bare = beam.drag_coefficient * beam.diameter * beam.length * (1.0f - 0.5f * beam.taper);
+	float area = bare + beam.head_drag_area + beam.leaf_drag_area;
+	for (const StemBeam::Load &load : beam.loads) {
+		area += load.drag_area;
+	}
+	return area;
+}
+
 StemSolution solve_stem(const StemBeam &beam) {
 	StemSolution solution;
 	solution.fault = find_fault(beam);
@@ -244,6 +254,7 @@ StemSolution solve_stem(const StemBeam &beam) {
 		stiff.youngs_modulus = static_cast<float>(solution.youngs_modulus);
 		grade_by_height(stiff, solution.constants);
 	}
+	solution.constants.drag_area = drag_area_of(beam);
 	solution.constants.spread = UNIFORM_HALF_WIDTH * beam.frequency_deviation;
 	return solution;
 }

@@ -58,6 +58,7 @@ struct StemConstants {
 	/// Maximum difference of a plant's own frequency from that of others of its length, as a fraction: plant `own` of
 	/// MotionPlant has 1 + own·spread times their frequency.
 	float spread = 0.0f;
+	float drag_area = 0.0f; ///< m², of the whole stem, drag coefficient included.
 	float axial_share = 1.0f; ///< Effect of a load along the stem, relative to one across it.
 	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(n·X3 + n²·X5), t = Σ_k q_k·tip_slope and
 	/// n = min(|t|², 1), because no steady wind bends a tip below level. shape[j] has the four coefficients of
@@ -77,7 +78,7 @@ struct StemConstants {
 
 	bool operator==(const StemConstants &other) const {
 		static_assert(sizeof(StemConstants) ==
-						4 * (11 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+						4 * (12 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
 								4 * (MAX_STEM_JOINTS + 1) * MAX_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;

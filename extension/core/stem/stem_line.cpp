@@ -1,6 +1,7 @@
 #include "stem/stem_line.hpp"
 
 #include "conventions.hpp"
+#include "wind/air_profile.hpp"
 
 namespace undergrowth {
 
@@ -63,7 +64,7 @@ void StemLine::spread_mass(const StemBeam &beam) {
 }
 
 void StemLine::spread_drag(const StemBeam &beam) {
-	const double half = 0.5 * AIR_DENSITY;
+	const double half = 0.5 * static_cast<double>(AIR_DENSITY);
 	const double base = half * beam.drag_coefficient * diameter * length;
 	air.terms[0] = base + half * beam.leaf_drag_area;
 	air.terms[1] = -taper * base;

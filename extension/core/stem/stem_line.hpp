@@ -26,8 +26,6 @@ struct StemSpread {
 /// A stem as its sections say it, along x = s/length.
 class StemLine {
 public:
-	static constexpr double AIR_DENSITY = 1.2; ///< kg/m³.
-
 	explicit StemLine(const StemBeam &beam);
 
 	double length = 1.0; ///< m.

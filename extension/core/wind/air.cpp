@@ -13,12 +13,13 @@ namespace undergrowth {
 
 namespace {
 
-constexpr double CARRIED_AT = 1.0; // m above the ground: the reference height of the turbulence maps.
-// Across, relative to the motion along the wind: positions meet other rows of the maps each time.
-constexpr double DRIFT = 0.0683;
-constexpr double WAVES_OVER_TOP = 1.8;
+constexpr double CARRIED_AT = 1.0; // m above the ground: the reference height of the turbulence map,
+constexpr double EDDIES_CARRIED_AT = 10.0; // and of the map of eddies.
+constexpr double PATTERNS_OVER_TOP = 1.8;
 constexpr double WAVES_PER_SHEAR = 8.1; // Wave length relative to the shear length,
 constexpr double SHEAR_LENGTH = 0.5; // which is relative to the canopy's height.
+constexpr double WAVES_BENT = 0.4; // m, displacement of waves per standard deviation of the eddies,
+constexpr double WAVES_BENT_SHARE = 0.25; // and more for longer waves.
 constexpr float FASTEST = 150.0f; // m/s.
 constexpr float MAX_GUSTS = 10.0f;
 constexpr float MAX_SKEW = 0.5f;
@@ -36,9 +37,22 @@ struct Heading {
 	glm::dvec2 turned(const glm::dvec2 &place) const { return { glm::dot(along, place), glm::dot(across, place) }; }
 };
 
-glm::dvec2 way_at(const glm::dvec2 &way, double speed, double since, double time) {
+/// How a line along the wind crosses the rows of a periodic map: with a slope, and with a sine of `sway` metres. So a
+/// position meets other rows each time that the map repeats, although the map travels exactly along the wind.
+struct Rows {
+	double slope = 0.0;
+	double sway = 0.0; ///< m.
+	double period = 1.0; ///< m.
+};
+
+/// Chosen so that the correlation of a position with itself is below 0.11 at all repetitions within 42 km,
+constexpr Rows TURBULENCE_ROWS = { 0.0416, 80.0, 3909.5 };
+/// and below 0.03 within 70 km.
+constexpr Rows EDDY_ROWS = { 0.0555 };
+
+double way_at(double way, double speed, double since, double time) {
 	const double gone = speed * (time - since);
-	return std::isfinite(gone) ? way + gone * glm::dvec2(1.0, DRIFT) : way;
+	return std::isfinite(gone) ? way + gone : way;
 }
 
 /// `value` modulo `size`, the size of a map.
@@ -47,22 +61,46 @@ double within(double value, double size) {
 	return std::isfinite(rest) && rest < size ? rest : 0.0;
 }
 
-/// A map with texels `texel` metres apart and the offset `way`, for positions in `axes`.
-AirMap map_at(const std::vector<uint64_t> &cells, const glm::dvec2 &texel, const glm::dvec2 &size,
-		const Heading &heading, const glm::dvec2 &way, const AirAxes &axes) {
-	const glm::dvec2 part = texel / static_cast<double>(AirMap::PARTS);
-	const glm::dvec2 start = (heading.turned(axes.origin) - way) / part;
-	const glm::dvec2 by_x = heading.turned(axes.x) / part;
-	const glm::dvec2 by_z = heading.turned(axes.z) / part;
+/// Size of a map and of its texels, in texels and metres.
+struct MapSize {
+	int width, height;
+	glm::dvec2 texel;
+};
+
+/// A map that was carried by `way` metres, for positions in `axes`.
+AirMap map_at(const std::vector<uint64_t> &cells, const MapSize &size, const Rows &rows, const Heading &heading,
+		double way, const AirAxes &axes) {
+	const glm::dvec2 parts = static_cast<double>(AirMap::PARTS) / size.texel;
+	const auto in_map = [&](const glm::dvec2 &place) {
+		return parts * glm::dvec2(place.x, place.y + rows.slope * place.x);
+	};
+	const glm::dvec2 place = heading.turned(axes.origin) - glm::dvec2(way, 0.0);
+	const glm::dvec2 start = in_map(place);
+	const glm::dvec2 by_x = in_map(heading.turned(axes.x));
+	const glm::dvec2 by_z = in_map(heading.turned(axes.z));
 	AirMap map;
 	map.cells = cells.data();
-	map.s = static_cast<float>(within(start.x, size.x * static_cast<double>(AirMap::PARTS)));
-	map.n = static_cast<float>(within(start.y, size.y * static_cast<double>(AirMap::PARTS)));
+	map.s = static_cast<float>(within(start.x, size.width * static_cast<double>(AirMap::PARTS)));
+	map.n = static_cast<float>(within(start.y, size.height * static_cast<double>(AirMap::PARTS)));
 	map.s_x = static_cast<float>(by_x.x);
 	map.n_x = static_cast<float>(by_x.y);
 	map.s_z = static_cast<float>(by_z.x);
 	map.n_z = static_cast<float>(by_z.y);
+	map.sway = static_cast<float>(parts.y * rows.sway);
+	map.turn = static_cast<float>(within(place.x, rows.period) / rows.period);
+	map.turn_x = static_cast<float>(heading.turned(axes.x).x / rows.period);
+	map.turn_z = static_cast<float>(heading.turned(axes.z).x / rows.period);
 	return map;
+}
+
+AirPatterns patterns_at(
+		const AirTiles &tiles, const Heading &heading, double turbulence_way, double eddies_way, const AirAxes &axes) {
+	constexpr int WIDTH = AirTiles::WIDTH;
+	constexpr int HEIGHT = AirTiles::HEIGHT;
+	return { map_at(tiles.turbulence, { WIDTH, HEIGHT, { AirTiles::LENGTH_STEP, AirTiles::SIDE_STEP } },
+					 TURBULENCE_ROWS, heading, turbulence_way, axes),
+		map_at(tiles.eddies, { WIDTH, HEIGHT, { AirTiles::EDDY_LENGTH_STEP, AirTiles::EDDY_SIDE_STEP } }, EDDY_ROWS,
+				heading, eddies_way, axes) };
 }
 
 glm::dvec2 wave_texel(const Air &air) {
@@ -85,9 +123,16 @@ double turbulence_speed(const Air &air) {
 	return speed * open_ground_speed(CARRIED_AT, static_cast<double>(air.roughness));
 }
 
-double waves_speed(const Air &air) {
+double eddies_speed(const Air &air) {
 	const auto speed = static_cast<double>(safe(air.speed, FASTEST));
-	return WAVES_OVER_TOP * speed * canopy_top_speed(static_cast<double>(air.canopy_height));
+	return speed * open_ground_speed(EDDIES_CARRIED_AT, static_cast<double>(air.roughness));
+}
+
+double canopy_pattern_speed(const Air &air) {
+	const auto speed = static_cast<double>(safe(air.speed, FASTEST));
+	return air.canopy_height > 0.0f
+			? PATTERNS_OVER_TOP * speed * canopy_top_speed(static_cast<double>(air.canopy_height))
+			: turbulence_speed(air);
 }
 
 double waves_length(const Air &air) {
@@ -95,24 +140,16 @@ double waves_length(const Air &air) {
 	return WAVES_PER_SHEAR * SHEAR_LENGTH * static_cast<double>(std::max(safe(air.canopy_height, 1e3f), SHORTEST));
 }
 
-glm::dvec2 turbulence_way(const Air &air, double time) {
-	return way_at(air.turbulence_way, turbulence_speed(air), air.since, time);
-}
-
-glm::dvec2 waves_way(const Air &air, double time) {
-	return way_at(air.waves_way, waves_speed(air), air.since, time);
-}
-
-void change_air(Air &air, const Air &wanted, double time, const glm::dvec2 &pivot) {
-	const glm::dvec2 before = Heading(air.heading).turned(pivot);
-	const glm::dvec2 now = Heading(wanted.heading).turned(pivot);
-	const double stretch = waves_length(wanted) / waves_length(air);
-	const glm::dvec2 turbulence = now - (before - turbulence_way(air, time));
-	const glm::dvec2 waves = now - stretch * (before - waves_way(air, time));
+void change_air(Air &air, const Air &wanted, double time) {
+	const Air before = air;
+	const double stretch = waves_length(wanted) / waves_length(before);
+	const auto way = [&](double start, double speed) { return way_at(start, speed, before.since, time); };
 	air = wanted;
 	air.since = time;
-	air.turbulence_way = turbulence;
-	air.waves_way = waves;
+	air.turbulence_way = way(before.turbulence_way, turbulence_speed(before));
+	air.eddies_way = way(before.eddies_way, eddies_speed(before));
+	air.canopy_way = way(before.canopy_way, canopy_pattern_speed(before));
+	air.waves_way = stretch * way(before.waves_way, canopy_pattern_speed(before));
 }
 
 AirSnapshot air_at_time(const Air &air, const AirAxes &axes, const AirTiles *tiles, double time) {
@@ -127,11 +164,17 @@ AirSnapshot air_at_time(const Air &air, const AirAxes &axes, const AirTiles *til
 		return now;
 	}
 	const Heading heading(std::isfinite(air.heading) ? air.heading : 0.0);
-	now.turbulence = map_at(tiles->turbulence, { AirTiles::LENGTH_STEP, AirTiles::SIDE_STEP },
-			{ AirTiles::WIDTH, AirTiles::HEIGHT }, heading, turbulence_way(air, time), axes);
+	const auto way = [&](double start, double speed) { return way_at(start, speed, air.since, time); };
+	const double over_canopy = way(air.canopy_way, canopy_pattern_speed(air));
+	now.open = patterns_at(*tiles, heading, way(air.turbulence_way, turbulence_speed(air)),
+			way(air.eddies_way, eddies_speed(air)), axes);
+	now.canopy = patterns_at(*tiles, heading, over_canopy, over_canopy, axes);
 	if (now.canopy_wave_amount > 0.0f) {
-		now.waves = map_at(tiles->waves, wave_texel(air), { AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT }, heading,
-				waves_way(air, time), axes);
+		const glm::dvec2 texel = wave_texel(air);
+		now.waves = map_at(tiles->waves, { AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT, texel }, {}, heading,
+				way(air.waves_way, canopy_pattern_speed(air)), axes);
+		const double bent = WAVES_BENT + WAVES_BENT_SHARE * waves_length(air);
+		now.waves_bent = static_cast<float>(bent * static_cast<double>(AirMap::PARTS) / texel.x);
 	}
 	return now;
 }

@@ -29,12 +29,14 @@ AirWeights weights_at(double t) {
 
 } // namespace
 
-int AirAhead::stride_in(const Air &air, float step, float swing) {
+int AirAhead::stride_in(const Air &air, float step, float swing, float canopy_height) {
 	constexpr double STILL = 1e-6; // m/s.
 	constexpr double ROUNDING = 1e-3; // Of a step.
 	double spacing = std::min(SPACING, SWING_SHARE * static_cast<double>(swing));
-	if (air.canopy_wave_amount > 0.0f && air.canopy_height > 0.0f) {
-		spacing = std::min(spacing, WAVES_SHARE * waves_length(air) / std::max(waves_speed(air), STILL));
+	const double carried = std::max(canopy_height > 0.0f ? canopy_pattern_speed(air) : turbulence_speed(air), STILL);
+	spacing = std::min(spacing, TRAVEL / carried);
+	if (canopy_height > 0.0f && air.canopy_wave_amount > 0.0f && air.canopy_height > 0.0f) {
+		spacing = std::min(spacing, WAVES_SHARE * waves_length(air) / carried);
 	}
 	const double steps = spacing / static_cast<double>(step) + ROUNDING;
 	return static_cast<int>(std::clamp(steps, 1.0, static_cast<double>(MAX_STEPS)));
@@ -54,7 +56,7 @@ void AirAhead::prepare(const FieldWind &wind, const PlantWinds &along, double mo
 		const Plants &plants, SimdLevel level) {
 	const auto length = static_cast<double>(step);
 	const bool blows = wind.wind.kind == WindKind::air && wind.tiles && wind.air.speed > 0.0f;
-	const int steps = blows ? stride_in(wind.air, step, plants.swing) : 1;
+	const int steps = blows ? stride_in(wind.air, step, plants.swing, plants.canopy_height) : 1;
 	is_sampled = steps > 1 && plants.count <= AIR_GROUP * room;
 	if (!is_sampled) {
 		is_known = false;
@@ -75,7 +77,7 @@ void AirAhead::prepare(const FieldWind &wind, const PlantWinds &along, double mo
 	for (int sample = first; sample <= last; sample++) {
 		WindSnapshot then = {};
 		then.air = air_at_time(wind.air, wind.axes, wind.tiles.get(), moment + length * (sample * stride - age));
-		AirMoments moments = moments_over(then.air, plants.canopy_height, along);
+		AirMoments moments = moments_among(then.air, plants.canopy_height, plants.taller, along);
 		moments.mean = 0.0f; // Above a canopy interpolate() adds it; isolated plants use another member.
 		for (int begin = 0; begin < plants.count; begin += BLOCK) {
 			const int some = std::min(BLOCK, plants.count - begin);

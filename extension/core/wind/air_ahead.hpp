@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wind/wind_kernels.hpp"
+#include "wind/air.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -8,7 +8,6 @@
 
 namespace undergrowth {
 
-struct Air;
 struct FieldWind;
 
 /// Samples the air at the plants of a page ahead of the steps, and interpolates between four samples with the cubic of
@@ -22,8 +21,10 @@ public:
 	static constexpr double SWING_SHARE = 0.2;
 	/// The same as a fraction of the period of waves; preserves 95 % of their amplitude.
 	static constexpr double WAVES_SHARE = 0.25;
-	static constexpr double SPACING =
-			4.0 / 60.0; ///< s, maximum; the error of tips is a few hundredths of their travel.
+	/// Maximum distance (m) that the patterns travel between samples: a texel of turbulence. The error of tips is then
+	/// a few hundredths of their motion, in gales too.
+	static constexpr double TRAVEL = 0.25;
+	static constexpr double SPACING = 4.0 / 60.0; ///< s, maximum.
 	static constexpr int MAX_STEPS = 4; ///< Maximum number of steps between samples.
 
 	/// The plants to sample for.
@@ -33,6 +34,7 @@ public:
 		int count;
 		float canopy_height; ///< m; 0: isolated plants.
 		float swing; ///< s, period of the fastest plant.
+		TallerPlants taller = {};
 	};
 
 	AirAhead() = default;
@@ -57,7 +59,7 @@ public:
 	void interpolate(const AirMoments &moments, int begin, int count, float *out_x, float *out_z,
 			SimdLevel level = best_simd_level()) const;
 	/// Steps from one sample to the next in `air`; 1: each step samples.
-	static int stride_in(const Air &air, float step, float swing);
+	static int stride_in(const Air &air, float step, float swing, float canopy_height);
 
 	std::size_t bytes() const;
 

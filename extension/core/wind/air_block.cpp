@@ -1,5 +1,6 @@
 // Effect of air on blocks of plants.
 
+#include "base/portable_math.hpp"
 #include "wind/air.hpp"
 #include "wind/air_profile.hpp"
 
@@ -10,6 +11,8 @@ namespace undergrowth {
 
 namespace {
 
+/// Number of plants that are sampled together.
+constexpr int BLOCK = 512;
 /// Number of plants in one sampling of gusts.
 constexpr int GUST_BLOCK = 64;
 
@@ -19,8 +22,8 @@ float unit_gust(float skew) {
 }
 
 /// Velocities of isolated plants: each has the wind of its own height above open ground.
-void sample_isolated(const AirSnapshot &air, const float *lengths, AirMoments moments, int count, float *x, float *z,
-		const WindKernels &kernels) {
+void make_isolated(const AirSnapshot &air, const float *lengths, AirMoments moments, const AirDeviates &others,
+		int count, float *x, float *z, const WindKernels &kernels) {
 	const OpenGround open(static_cast<double>(air.roughness));
 	const float gust = air.speed * air.gusts * static_cast<float>(open.gusts(REFERENCE_HEIGHT));
 	moments.mean = air.speed * static_cast<float>(open.growth());
@@ -28,19 +31,66 @@ void sample_isolated(const AirSnapshot &air, const float *lengths, AirMoments mo
 	moments.side_gust = gust * static_cast<float>(SIDE_GUSTS);
 	const double layer = OpenGround::ROUGH_LAYER;
 	const AirGround ground = { static_cast<float>(1.0 / open.roughness()),
-		static_cast<float>(1.0 / (layer * open.roughness())), static_cast<float>(layer) };
-	kernels.make_isolated_velocities(moments, ground, lengths, count, x, z);
+		static_cast<float>(1.0 / (layer * open.roughness())), static_cast<float>(layer),
+		static_cast<float>(EDDIES_AT_ONE + EDDIES_GROWTH * portable_log(open.roughness())),
+		static_cast<float>(EDDIES_GROWTH) };
+	kernels.make_isolated_velocities(moments, ground, others, lengths, count, x, z);
 }
+
+/// Deviates of both scales at `count` plants, BLOCK at most.
+struct Deviates {
+	float eddies_along[BLOCK], eddies_across[BLOCK], waves[BLOCK];
+
+	Deviates(const AirSnapshot &air, bool is_canopy, const float *x, const float *z, int count, float *along,
+			float *across, const WindKernels &kernels) {
+		const AirPatterns &patterns = is_canopy ? air.canopy : air.open;
+		if (patterns.turbulence.cells) {
+			kernels.sample_turbulence(patterns.eddies, x, z, count, eddies_along, eddies_across);
+			kernels.sample_turbulence(patterns.turbulence, x, z, count, along, across);
+		} else {
+			for (float *none : { eddies_along, eddies_across, along, across }) {
+				std::fill(none, none + count, 0.0f);
+			}
+		}
+		if (is_canopy && air.waves.cells) {
+			kernels.sample_waves(air.waves, air.waves_bent, eddies_along, x, z, count, waves);
+		} else {
+			std::fill(waves, waves + count, 0.0f);
+		}
+	}
+
+	AirDeviates all() const { return { eddies_along, eddies_across, waves }; }
+};
 
 } // namespace
 
-AirMoments moments_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes) {
+AirMoments moments_over(const AirSnapshot &air, float canopy_height, const PlantWinds &axes, float height) {
 	AirMoments moments = { 0.0f, 0.0f, 0.0f, air.skew, axes.x, axes.z, axes.side_x, axes.side_z };
 	if (canopy_height > 0.0f) {
-		moments.mean = air.speed * static_cast<float>(canopy_top_speed(static_cast<double>(canopy_height)));
-		const float gust = moments.mean * static_cast<float>(CANOPY_GUSTS) * air.gusts;
+		const auto canopy = static_cast<double>(canopy_height);
+		const double above = height > 0.0f ? static_cast<double>(height) : canopy;
+		const float gust = air.speed * static_cast<float>(canopy_gusts(above, canopy)) * air.gusts;
+		moments.mean = air.speed * static_cast<float>(canopy_speed(above, canopy));
 		moments.gust = gust * unit_gust(air.skew);
 		moments.side_gust = gust * static_cast<float>(SIDE_GUSTS);
+		const float kept = std::sqrt(1.0f - air.canopy_wave_amount);
+		moments.side_eddies = static_cast<float>(CANOPY_EDDIES);
+		moments.side_small = std::sqrt(1.0f - moments.side_eddies * moments.side_eddies);
+		moments.eddies = kept * moments.side_eddies;
+		moments.small = kept * moments.side_small;
+		moments.waves = std::sqrt(air.canopy_wave_amount);
+	}
+	return moments;
+}
+
+AirMoments moments_among(
+		const AirSnapshot &air, float canopy_height, const TallerPlants &taller, const PlantWinds &axes) {
+	AirMoments moments = moments_over(air, canopy_height, axes);
+	if (taller.cover > 0.0f && canopy_height > 0.0f && taller.height > canopy_height) {
+		const AirMoments within = moments_over(air, taller.height, axes, canopy_height);
+		moments.mean += taller.cover * (within.mean - moments.mean);
+		moments.gust += taller.cover * (within.gust - moments.gust);
+		moments.side_gust += taller.cover * (within.side_gust - moments.side_gust);
 	}
 	return moments;
 }
@@ -64,21 +114,16 @@ void add_gust(const WindSnapshot &wind, const AirMoments &moments, const float *
 void sample_air(const WindSnapshot &wind, const AirMoments &moments, const float *x, const float *z,
 		const float *lengths, int count, float *out_x, float *out_z, SimdLevel level) {
 	const WindKernels &kernels = wind_kernels(level);
-	const AirSnapshot &air = wind.air;
-	if (air.turbulence.cells) {
-		kernels.sample_turbulence(air.turbulence, x, z, count, out_x, out_z);
-	} else {
-		std::fill(out_x, out_x + count, 0.0f);
-		std::fill(out_z, out_z + count, 0.0f);
-	}
-	if (air.waves.cells && !lengths) {
-		const float kept = std::sqrt(1.0f - air.canopy_wave_amount);
-		kernels.add_canopy_waves(air.waves, x, z, count, kept, std::sqrt(air.canopy_wave_amount), out_x);
-	}
-	if (lengths) {
-		sample_isolated(air, lengths, moments, count, out_x, out_z, kernels);
-	} else {
-		kernels.make_velocities(moments, count, out_x, out_z);
+	for (int begin = 0; begin < count; begin += BLOCK) {
+		const int some = std::min(BLOCK, count - begin);
+		float *along = out_x + begin;
+		float *across = out_z + begin;
+		const Deviates deviates(wind.air, !lengths, x + begin, z + begin, some, along, across, kernels);
+		if (lengths) {
+			make_isolated(wind.air, lengths + begin, moments, deviates.all(), some, along, across, kernels);
+		} else {
+			kernels.make_velocities(moments, deviates.all(), some, along, across);
+		}
 	}
 	add_gust(wind, moments, x, z, count, out_x, out_z, level);
 }

@@ -48,12 +48,21 @@ double OpenGround::gusts(double height) const {
 	return GUSTS_OF_FRICTION * KARMAN * over_log * share_of_layer(height);
 }
 
+double OpenGround::eddies(double height) const {
+	const double above = std::max(safe_height(height), ROUGH_LAYER * rough);
+	return std::clamp(EDDIES_AT_ONE + EDDIES_GROWTH * portable_log(above), 0.0, 1.0);
+}
+
 double open_ground_speed(double height, double roughness) {
 	return OpenGround(roughness).speed(height);
 }
 
 double open_ground_gusts(double height, double roughness) {
 	return OpenGround(roughness).gusts(height);
+}
+
+double open_ground_eddies(double height, double roughness) {
+	return OpenGround(roughness).eddies(height);
 }
 
 double canopy_top_speed(double canopy_height) {
@@ -67,6 +76,11 @@ double canopy_speed(double height, double canopy_height, double extinction) {
 	const double down = DISPLACEMENT * top;
 	const double speed = portable_log((above - down) / rough) / portable_log((REFERENCE_HEIGHT - down) / rough);
 	return speed * portable_exp(-extinction * (1.0 - std::min(safe_height(height) / top, 1.0)));
+}
+
+double canopy_gusts(double height, double canopy_height, double extinction) {
+	const double top = std::clamp(safe_height(canopy_height), MIN_CANOPY, MAX_CANOPY);
+	return CANOPY_GUSTS * canopy_speed(std::min(safe_height(height), top), canopy_height, extinction);
 }
 
 double beaufort_speed(int number) {

@@ -20,6 +20,7 @@ public:
 	explicit OpenGround(double roughness);
 	double speed(double height) const;
 	double gusts(double height) const;
+	double eddies(double height) const;
 
 	static constexpr double ROUGH_LAYER = 10.0; ///< Roughness lengths.
 	double roughness() const { return rough; }
@@ -42,8 +43,19 @@ double canopy_top_speed(double canopy_height);
 double canopy_speed(double height, double canopy_height, double extinction = 2.5);
 /// Standard deviation along the wind at the canopy's top, relative to the speed there: 1.9 friction velocities.
 inline constexpr double CANOPY_GUSTS = 1.9 * 0.364;
+/// Standard deviation along the wind at a height within a canopy or above it: falls below the top as canopy_speed(),
+/// and is constant above.
+double canopy_gusts(double height, double canopy_height, double extinction = 2.5);
 /// Standard deviation across the wind, relative to that along it.
 inline constexpr double SIDE_GUSTS = 0.75;
+
+/// Standard deviation of the large eddies in turbulence of 1, from 0 to 1; the rest is small. It grows with the
+/// height's logarithm, EDDIES_AT_ONE + EDDIES_GROWTH·ln(z/1 m), and is constant within ten roughness lengths.
+inline constexpr double EDDIES_AT_ONE = 0.45;
+inline constexpr double EDDIES_GROWTH = 0.235;
+double open_ground_eddies(double height, double roughness);
+/// Above a canopy: that of open ground at 2 m, so that gusts cross a meadow as a whole beside its waves.
+inline constexpr double CANOPY_EDDIES = 0.626;
 
 /// Beaufort's number from 0 to 12 of a speed at 10 m (m/s): nearest to U = 0.836·B^1.5.
 int beaufort_of(double speed);

@@ -18,7 +18,7 @@ namespace baseline_kernels {
 #include "wind/kernel_air_ahead.inc"
 #include "wind/kernel_wind.inc"
 
-static const WindKernels SET = { sample_wind, sample_turbulence, add_canopy_waves, make_velocities, keep_samples,
+static const WindKernels SET = { sample_wind, sample_turbulence, sample_waves, make_velocities, keep_samples,
 	between_samples, make_isolated_velocities };
 
 } // namespace baseline_kernels

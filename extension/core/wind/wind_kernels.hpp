@@ -15,15 +15,23 @@ struct PlantWinds {
 };
 
 /// A periodic map (AirTiles) at one time. The texel of a position (x, z) is (s + s_x·x + s_z·z, n + n_x·x + n_z·z), in
-/// 1/PARTS of a texel.
+/// 1/PARTS of a texel. To n it adds sway·sin(2π·(turn + turn_x·x + turn_z·z)).
 struct AirMap {
 	const uint64_t *cells = nullptr; ///< Null: none.
 	float s = 0.0f, s_x = 0.0f, s_z = 0.0f;
 	float n = 0.0f, n_x = 0.0f, n_z = 0.0f;
+	float sway = 0.0f;
+	float turn = 0.0f, turn_x = 0.0f, turn_z = 0.0f;
 	/// Maximum distance from the map's corner (65 km); farther positions are clamped. A variable for the reason given
 	/// at WindSnapshot::half.
 	float farthest = 1073741824.0f;
+	float half = 0.5f; ///< Of a turn. A variable for the same reason.
 	static constexpr float PARTS = 4096.0f; ///< Per texel.
+};
+
+/// Maps of turbulence, which the wind carries at different speeds.
+struct AirPatterns {
+	AirMap turbulence, eddies;
 };
 
 /// Air at one time, for all plants.
@@ -33,8 +41,11 @@ struct AirSnapshot {
 	float roughness = 0.0f; ///< m.
 	float skew = 0.0f; ///< Gustiness.
 	float canopy_wave_amount = 0.0f; ///< Fraction of the variance above a canopy.
-	AirMap turbulence; ///< In metres of the places' axes.
+	AirPatterns open; ///< Above open ground. In metres of the places' axes.
+	AirPatterns canopy;
 	AirMap waves;
+	float waves_bent =
+			0.0f; ///< Displacement of waves along the wind per standard deviation of the eddies, in 1/PARTS of a texel.
 };
 
 /// Velocity along the wind, mean + gust·(u + skew·(u² - 1)), and across it, side_gust·v.
@@ -42,6 +53,13 @@ struct AirMoments {
 	float mean, gust, side_gust; ///< m/s.
 	float skew;
 	float along_x, along_z, side_x, side_z; ///< Unit directions.
+	float small = 1.0f, eddies = 0.0f, waves = 0.0f; ///< Standard deviations within u.
+	float side_small = 1.0f, side_eddies = 0.0f; ///< Within v.
+};
+
+/// Deviates at plants: both components of the eddies, and the waves.
+struct AirDeviates {
+	const float *along, *across, *waves;
 };
 
 /// Growth of the wind with the height above open ground, for isolated plants. AirMoments then holds above the rough
@@ -49,6 +67,8 @@ struct AirMoments {
 struct AirGround {
 	float over_roughness, over_layer; ///< 1/m.
 	float layer; ///< Relative to the roughness.
+	float eddies, eddies_growth; ///< Standard deviation of the eddies: eddies + eddies_growth·(that logarithm).
+	float max_eddies = 1.0f; ///< A variable for the reason given at WindSnapshot::half.
 };
 
 /// Four samples of the velocity along x and z per plant, in the order of their times: 16 bits each, in 1/256 m/s, two
@@ -97,21 +117,23 @@ struct WindSnapshot {
 struct WindKernels {
 	/// Writes the strength (N) of `wind` at the plants (x, z) (m) to out[0 .. count).
 	void (*sample)(const WindSnapshot &wind, const float *x, const float *z, int count, float *out);
-	/// Both components of turbulence at the plants, in standard deviations.
+	/// Both components of turbulence or eddies at the plants, in standard deviations.
 	void (*sample_turbulence)(
 			const AirMap &map, const float *x, const float *z, int count, float *along, float *across);
-	/// Sets along[i] to keep·along[i] + share·(waves over a canopy, in standard deviations).
-	void (*add_canopy_waves)(
-			const AirMap &map, const float *x, const float *z, int count, float keep, float share, float *along);
-	/// Converts both components to velocities along x and z, in place.
-	void (*make_velocities)(const AirMoments &moments, int count, float *along, float *across);
+	/// Waves over a canopy at the plants, in standard deviations. The map is displaced by bent·eddies[i] along the
+	/// wind.
+	void (*sample_waves)(const AirMap &map, float bent, const float *eddies, const float *x, const float *z, int count,
+			float *waves);
+	/// Converts both components of turbulence to velocities along x and z, in place.
+	void (*make_velocities)(
+			const AirMoments &moments, const AirDeviates &others, int count, float *along, float *across);
 	/// Replaces the oldest of four samples by velocities (m/s) along x and z.
 	void (*keep_samples)(const float *x, const float *z, int count, uint32_t *groups);
 	/// Interpolates the four samples (m/s).
 	void (*between_samples)(const uint32_t *groups, const AirWeights &weights, int count, float *x, float *z);
 	/// make_velocities() for isolated plants of given `lengths` (m).
-	void (*make_isolated_velocities)(const AirMoments &moments, const AirGround &ground, const float *lengths,
-			int count, float *along, float *across);
+	void (*make_isolated_velocities)(const AirMoments &moments, const AirGround &ground, const AirDeviates &others,
+			const float *lengths, int count, float *along, float *across);
 };
 
 const WindKernels *baseline_wind_kernels();

@@ -151,12 +151,34 @@ bool Plant3D::may_simulate() const {
 void Plant3D::update_simulation() {
 	PlantSimulation *simulation = PlantSimulation::get_singleton();
 	if (simulation && may_simulate()) {
+		read_canopy();
 		simulation->follow(get_tree());
 		motion.simulate(simulation, moved());
 	} else {
 		motion.park();
 	}
 	update_bone();
+}
+
+// Heights and covers in steps, so that plants of a field share pages.
+void Plant3D::read_canopy() {
+	constexpr float STEPS = 32.0f; // Per metre, and of a closed canopy.
+	PlantSimulation *simulation = PlantSimulation::get_singleton();
+	canopy = {};
+	if (simulation && wind_is_air && is_inside_tree()) {
+		const float tall = plant_transform.length_of(view.height());
+		canopy = simulation->canopy_around(this, species, std::ceil(STEPS * tall) / STEPS);
+		canopy.taller.height = std::ceil(STEPS * canopy.taller.height) / STEPS;
+		canopy.taller.cover = std::round(STEPS * canopy.taller.cover) / STEPS;
+	}
+}
+
+void Plant3D::update_canopy() {
+	const PlantCanopy before = canopy;
+	read_canopy();
+	if (canopy.height != before.height || !(canopy.taller == before.taller)) {
+		update_motion();
+	}
 }
 
 void Plant3D::update_motion() {
@@ -239,6 +261,7 @@ void Plant3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	if (is_frame && !motion.is_simulated() && species.is_valid() && get_mesh().is_valid()) {
 		update_wind_kind(blowing);
 		drive();
+		update_canopy();
 		motion.preview(delta, blowing);
 	}
 }

@@ -31,6 +31,7 @@ class Plant3D : public godot::Node3D {
 
 	// Components and state.
 	PlantTransform plant_transform;
+	PlantCanopy canopy; ///< Of fields around it.
 	PlantMotion motion{ this };
 	PlantView view{ this, motion };
 	bool mesh_is_dirty = true;
@@ -54,6 +55,7 @@ class Plant3D : public godot::Node3D {
 	void update_forces();
 
 	// plant_3d.cpp
+	void read_canopy();
 	bool build_mesh();
 	void report_problem(const godot::String &what);
 	void update_axes();
@@ -123,6 +125,8 @@ public:
 	bool is_in_simulation() const { return motion.is_simulated(); }
 	void leave_simulation() { motion.leave_simulation(); }
 	void update_simulation();
+	/// Reads what grows around the plant, which shelters it from air.
+	void update_canopy();
 	/// Reports that a body, given by its instance id, came among the plant or left it.
 	void report_body(uint64_t body, bool has_entered);
 };

@@ -161,6 +161,7 @@ MotionSpecies Plant3D::kind_of_motion() const {
 	MotionSpecies kind;
 	kind.law = Law(int(species->get_law()));
 	kind.joint = species->make_joint(Basis());
+	kind.canopy_height = canopy.height;
 	if (const std::shared_ptr<const StemConstants> stem = find_stem(view.height())) {
 		kind.stem = *stem;
 	}
@@ -192,7 +193,7 @@ glm::vec3 Plant3D::rest() const {
 MovedPlant Plant3D::moved() const {
 	return { kind_of_motion(), wind, force_settings(), plant_transform.root, rest(),
 		plant_transform.length_of(view.height()), std::max(plant_transform.scale_along, MIN_SCALE),
-		signed_noise(uint64_t(seed), 0) };
+		signed_noise(uint64_t(seed), 0), canopy.taller };
 }
 
 // Many properties may change in one frame. The mesh is built once, at the end of the frame.

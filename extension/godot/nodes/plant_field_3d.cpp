@@ -1,6 +1,7 @@
 #include "nodes/plant_field_3d.hpp"
 
 #include "base/bind_properties.hpp"
+#include "base/convert.hpp"
 #include "base/follow_changes.hpp"
 #include "base/messages.hpp"
 #include "base/runs_in_editor.hpp"
@@ -516,6 +517,20 @@ void PlantField3D::set_levels(const TypedArray<PlantFieldLevel> &entries) {
 	properties.levels = entries.duplicate();
 	followed_levels.follow(properties.levels, Callable(this, "_on_levels_changed"));
 	on_levels_changed();
+}
+
+PlantCanopy PlantField3D::canopy_around(const Vector3 &place, const Ref<PlantFunction> &function, float height) const {
+	int own = -1;
+	for (size_t i = 0; i < runtime.setup.styles.size(); i++) {
+		own = runtime.setup.styles[i].function == function ? int(i) : own;
+	}
+	const Transform3D global = get_global_transform();
+	const float scale = float(global.basis.get_scale().y);
+	PlantCanopy found = runtime.motion.canopy_around(
+			to_glm(global.affine_inverse().xform(place)), scale > 0.0f ? height / scale : height, own);
+	found.height *= scale;
+	found.taller.height *= scale;
+	return found;
 }
 
 } // namespace undergrowth

@@ -132,6 +132,9 @@ public:
 	godot::PackedByteArray get_saved_changes() const;
 
 	// Motion.
+	/// What grows around a plant of `height` metres of this species at a world position.
+	PlantCanopy canopy_around(
+			const godot::Vector3 &place, const godot::Ref<PlantFunction> &function, float height) const;
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
 	void reset_motion();
 	/// s of the wind's clock, of the states and tips of plants.

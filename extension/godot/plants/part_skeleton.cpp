@@ -19,6 +19,7 @@ namespace undergrowth {
 
 static constexpr float CALM_BEND = 1.5e-3f; // At or below the limit where part_bend() treats a stem as resting.
 static constexpr float MIN_HEIGHT = 1e-3f; // Of a unit direction, plus 1.
+static constexpr float CALM_AIR = 0.015f; // m/s: below the onset of every part (0.125 Hz and more).
 static constexpr float CALM_RATE = 1e-4f; // 1/s: bends a part by less than a millionth.
 
 static Quaternion quaternion_of(const glm::vec4 &turn) {
@@ -143,7 +144,7 @@ glm::vec3 PartSkeleton::second_bend(const TipState &tip, const StemSecond &secon
 
 bool PartSkeleton::is_calm() const {
 	return glm::distance(stem.bend, stem.rest) < CALM_BEND && glm::length(stem.rate) < CALM_RATE &&
-			glm::length(stem.second) < CALM_RATE;
+			glm::length(stem.second) < CALM_RATE && stem.air < CALM_AIR;
 }
 
 glm::vec3 PartSkeleton::arm(const glm::vec3 &direction, float share) const {

@@ -40,6 +40,8 @@ void PlantBone::follow(const Step &step) {
 	const glm::vec2 to = bend_of(to_glm(to_local.xform(to_godot(step.after))));
 	parts->stem.rate = (to - from) / step.seconds;
 	parts->stem.clock = step.clock;
+	parts->stem.air = step.air;
+	parts->stem.turns = step.turns;
 	const glm::vec3 second = turned(to_glm(to_local.xform(to_godot(step.second))), -parts->stem.rest);
 	parts->stem.second = { second.x, second.z };
 }

@@ -19,13 +19,15 @@ bool ForceSettings::operator==(const ForceSettings &other) const {
 
 bool PlantKind::operator==(const PlantKind &other) const {
 	return wind == other.wind && frame == other.frame && is_same_motion(species, other.species) &&
-			forces == other.forces;
+			forces == other.forces && taller == other.taller;
 }
 
 PlantGroup::PlantGroup(const PlantKind &of, float step) :
 		kind(of),
 		page(0, of.species, nullptr, 0, step, true, MotionPage::Keeps::directions),
-		axes(matrix_of(axes_of(of.frame))) {}
+		axes(matrix_of(axes_of(of.frame))) {
+	page.set_taller_plants(of.taller);
+}
 
 void PlantGroup::add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone) {
 	plants.push_back(plant);
@@ -47,12 +49,12 @@ void PlantGroup::remove(int index) {
 	roots.remove(index);
 }
 
-void PlantGroup::step(const FieldWind &air, double start, const std::vector<AirSource> &stirring) {
+void PlantGroup::step(const FieldWind &blowing, double start, const std::vector<AirSource> &stirring) {
 	const double moment = start + page.wind_moment() * double(page.step_length());
-	const PlantWinds along = winds_along(air);
+	const PlantWinds along = winds_along(blowing);
 	const Vector3 way = axes_of(kind.frame).xform_inv(Vector3(along.x, 0.0f, along.z));
 	const Vector3 side = axes_of(kind.frame).xform_inv(Vector3(along.side_x, 0.0f, along.side_z));
-	WindSnapshot now = wind_at_time(air, moment);
+	WindSnapshot now = wind_at_time(blowing, moment);
 	const Vector3 x = axes_of(kind.frame).xform_inv(Vector3(1.0f, 0.0f, 0.0f));
 	const Vector3 z = axes_of(kind.frame).xform_inv(Vector3(0.0f, 0.0f, 1.0f));
 	now.sources = { stirring.data(), int(stirring.size()), x.x, x.z, z.x, z.z };
@@ -60,6 +62,12 @@ void PlantGroup::step(const FieldWind &air, double start, const std::vector<AirS
 	drift.of_roots = roots.mean_velocities();
 	drift.share = kind.forces.apparent_wind;
 	now.drift = &drift;
+	if (page.size() > 0) {
+		WindSnapshot in_world = wind_at_time(blowing, moment);
+		in_world.sources = { stirring.data(), int(stirring.size()) };
+		const float speed = air_speed_at(in_world, along, kind.species, kind.taller, page.length(0), page.root(0));
+		air.step(speed, double(page.step_length()));
+	}
 	page.step(now, { nullptr, way.x, way.z, side.x, side.z });
 }
 
@@ -69,7 +77,7 @@ void PlantGroup::pose(float alpha, float swing_clock) {
 	for (size_t i = 0; i < bones.size(); i++) {
 		bones[i].show(directions[i], [&]() -> PlantBone::Step {
 			return { page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock,
-				page.second_bend(int(i), alpha) };
+				page.second_bend(int(i), alpha), air.speed(), air.turns() };
 		});
 	}
 }

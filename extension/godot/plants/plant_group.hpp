@@ -2,6 +2,7 @@
 
 #include "bodies/root_velocities.hpp"
 #include "motion/bodies.hpp"
+#include "motion/part_air.hpp"
 #include "plants/plant_bone.hpp"
 #include "plants/plant_frame.hpp"
 #include "wind/air_sources.hpp"
@@ -34,6 +35,7 @@ struct PlantKind {
 	godot::Ref<PlantWind> wind; ///< Null: still air.
 	PlantFrame frame = PlantFrame::WORLD; ///< Axes of the page's directions; roots are in world axes.
 	ForceSettings forces;
+	TallerPlants taller = {}; ///< Of a field around them.
 
 	bool operator==(const PlantKind &other) const;
 };
@@ -49,13 +51,14 @@ struct PlantGroup {
 	std::vector<glm::vec3> directions; ///< One for each row, for drawing.
 	RootVelocities roots; ///< One for each row.
 	glm::mat3 axes; ///< Of the kind's frame.
+	PartAir air; ///< At the first plant.
 
 	void add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone);
 	/// Removes a row; the last plant gets its index.
 	void remove(int index);
 	/// Runs one step that begins at `start` (s) of the wind's clock. `stirring`: sources that stir the air of its
 	/// world.
-	void step(const FieldWind &air, double start, const std::vector<AirSource> &stirring);
+	void step(const FieldWind &blowing, double start, const std::vector<AirSource> &stirring);
 	/// Null if directions are in world axes.
 	const glm::mat3 *turned_axes() const { return kind.frame == PlantFrame::WORLD ? nullptr : &axes; }
 	/// Turns all bones to the directions at `alpha` of the last step. `swing_clock`: as StemMotion::clock.

@@ -104,7 +104,8 @@ void PlantMotion::simulate(PlantSimulation *simulation, const MovedPlant &moved)
 	park();
 	const PlantMotionState before = motion_state(moved.rest);
 	const PlantFrame axes = frame_of(moved);
-	place = simulation->enter(plant, { moved.species, moved.wind, axes, moved.forces }, row_of(moved, axes), own_bone);
+	place = simulation->enter(
+			plant, { moved.species, moved.wind, axes, moved.forces, moved.taller }, row_of(moved, axes), own_bone);
 	set_motion_state(before);
 }
 
@@ -118,8 +119,8 @@ void PlantMotion::drive(const MovedPlant &moved) {
 	const PlantFrame axes = frame_of(moved);
 	ForceSettings forces;
 	forces.world = moved.forces.world;
-	driven = std::make_unique<DrivenPlant>(
-			PlantKind{ moved.species, {}, axes, forces }, PlantSimulation::get_singleton()->get_step_length());
+	driven = std::make_unique<DrivenPlant>(PlantKind{ moved.species, {}, axes, forces, moved.taller },
+			PlantSimulation::get_singleton()->get_step_length());
 	driven->group.add(plant, row_of(moved, axes), own_bone);
 	set_motion_state(before);
 }
@@ -142,14 +143,16 @@ bool PlantMotion::follow(const MovedPlant &moved) {
 		return true;
 	}
 	const bool stays = frame_of(moved) == in->kind.frame;
-	const bool is_same = is_same_motion(moved.species, in->kind.species);
+	const bool is_same = is_same_motion(moved.species, in->kind.species) && moved.taller == in->kind.taller;
 	if (stays && (is_same || driven)) {
 		if (driven) {
 			in->kind.forces.world = moved.forces.world;
 		}
 		if (!is_same) {
 			in->kind.species = moved.species;
+			in->kind.taller = moved.taller;
 			in->page.set_species(moved.species);
+			in->page.set_taller_plants(moved.taller);
 		}
 		in->page.set_plant(index(), row_of(moved, in->kind.frame));
 		return true;

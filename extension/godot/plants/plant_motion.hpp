@@ -17,6 +17,7 @@ struct MovedPlant {
 	glm::vec3 rest; ///< Rest direction, unit.
 	float length; ///< m.
 	float scale, own; ///< As in MotionPlant.
+	TallerPlants taller = {}; ///< Of a field around it.
 };
 
 /// The motion of a plant, in world axes: its state, and its drawn direction one step before.

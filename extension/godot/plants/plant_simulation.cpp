@@ -3,6 +3,7 @@
 #include "base/convert.hpp"
 #include "base/follow_changes.hpp"
 #include "base/messages.hpp"
+#include "base/world_of.hpp"
 #include "field/motion/step_batch.hpp"
 #include "nodes/plant_3d.hpp"
 #include "nodes/plant_field_3d.hpp"
@@ -112,6 +113,40 @@ double PlantSimulation::read_monitor(int which) const {
 	return sum;
 }
 
+PlantCanopy PlantSimulation::canopy_around(
+		const Plant3D *plant, const Ref<PlantFunction> &species, float height) const {
+	const uint64_t world = undergrowth::world_of(plant);
+	for (const PlantField3D *field : fields) {
+		if (undergrowth::world_of(field) == world) {
+			const PlantCanopy found = field->canopy_around(plant->get_global_position(), species, height);
+			if (found.height > 0.0f) {
+				return found;
+			}
+		}
+	}
+	return {};
+}
+
+// Each plant in turn, so that all are visited once a second. A plant may change its group.
+void PlantSimulation::shelter_plants() {
+	constexpr size_t FRAMES = 60;
+	std::vector<Plant3D *> due;
+	const size_t count = size_t(get_plant_count());
+	const size_t first = next_to_shelter < count ? next_to_shelter : 0;
+	const size_t last = std::min(first + count / FRAMES + 1, count);
+	size_t begin = 0;
+	for (const std::unique_ptr<PlantGroup> &group : groups) {
+		for (size_t i = std::max(first, begin); i < std::min(last, begin + group->plants.size()); i++) {
+			due.push_back(group->plants[i - begin]);
+		}
+		begin += group->plants.size();
+	}
+	next_to_shelter = last;
+	for (Plant3D *plant : due) {
+		plant->update_canopy();
+	}
+}
+
 void PlantSimulation::list_winds() {
 	const auto list = [this](const Ref<PlantWind> &wind) {
 		if (wind.is_valid() && (winds.empty() || winds.back() != wind)) {
@@ -195,6 +230,7 @@ void PlantSimulation::record_steps() {
 void PlantSimulation::advance(double delta) {
 	record_steps();
 	const Clock::time_point start = Clock::now();
+	shelter_plants();
 	drop_empty_groups();
 	follow_groups();
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));

@@ -2,6 +2,7 @@
 
 #include "base/queued_call.hpp"
 #include "bodies/plant_bodies.hpp"
+#include "field/canopy_grid.hpp"
 #include "motion/fixed_step.hpp"
 #include "motion/step_budget.hpp"
 #include "motion/swing_clock.hpp"
@@ -19,6 +20,7 @@
 namespace undergrowth {
 
 class PlantField3D;
+class PlantFunction;
 
 /// Owns the fixed steps of the running scene and the clocks of its winds. Once a frame, before nodes process, it
 /// advances each wind in use and all simulated `Plant3D`s, and poses their bones. Fields run the same steps when they
@@ -36,6 +38,7 @@ class PlantSimulation : public godot::Object {
 	bool are_groups_new = false; ///< Groups were added or removed since the last update of bodies and contact.
 	bool is_contact_dirty = false; ///< Plants with contact were added or removed.
 	bool has_reported_crowd = false;
+	size_t next_to_shelter = 0; ///< Plant whose surroundings are read next.
 	FixedStep clock;
 	StepBudget budget;
 	FrameSteps frame; ///< The present one.
@@ -52,6 +55,7 @@ class PlantSimulation : public godot::Object {
 	void follow_groups();
 	void record_steps();
 	void list_winds();
+	void shelter_plants();
 	void step_groups(double ago);
 	void step(double ago, bool is_first);
 	void report_warnings();
@@ -85,6 +89,8 @@ public:
 	const BodyReading *read_bodies(const godot::StringName &group, uint64_t world) {
 		return body_readings.read(group, world);
 	}
+	/// What grows around a `Plant3D`: the fields of its world at its place. An isolated plant if none is there.
+	PlantCanopy canopy_around(const Plant3D *plant, const godot::Ref<PlantFunction> &species, float height) const;
 	/// Sum of a Performance monitor over all fields.
 	double read_monitor(int which) const;
 	/// The steps of the present frame. They are done for plants and winds before nodes process.

@@ -43,7 +43,6 @@ private:
 	FieldWind blowing; ///< Its direction is a float; `direction` is the value that was set.
 	Blend blend;
 	std::vector<FieldWind> blended; ///< The wind in each step of this frame, if a blend changes it; else empty.
-	godot::Vector3 pivot; ///< Position of a camera: patterns are continuous there when the air changes.
 	mutable bool has_reported_newtons = false;
 	double direction = 0.0; ///< rad.
 	StepTime clock;
@@ -121,8 +120,6 @@ public:
 	double time_before(int steps, double length) const { return clock.before(steps, length); }
 	/// Advances the clock to `clock`, the clock of a plant that code advances, if it is behind it.
 	void catch_up_to(double seconds);
-	/// Sets the position of a camera (world axes).
-	void set_pivot(const godot::Vector3 &place) { pivot = place; }
 	/// Returns the wind for sampling at any position and time, with the speed at which it travels over the ground.
 	FieldWind travelling() const;
 	/// Returns the wind in the step of this frame that began `steps` steps ago; 0: now.

@@ -35,7 +35,7 @@ static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the
 
 // Changes the air from now on. The patterns continue from their present position.
 void PlantWind::take_air(const Air &wanted) {
-	change_air(blowing.air, wanted, clock.now(), { double(pivot.x), double(pivot.z) });
+	change_air(blowing.air, wanted, clock.now());
 }
 
 void PlantWind::change(const Air &wanted) {

@@ -17,6 +17,7 @@ namespace undergrowth {
 // The maps of turbulence and waves as textures. A pointer, as in shared_resources.cpp.
 struct WindTextures {
 	RID turbulence;
+	RID eddies;
 	RID waves;
 };
 static WindTextures *textures = nullptr;
@@ -37,8 +38,11 @@ static Ref<Image> picture_of(int width, int height, Image::Format format, Image:
 
 static WindTextures make_textures(const AirTiles &tiles) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	return { server->texture_2d_create(picture_of(
-					 AirTiles::WIDTH, AirTiles::HEIGHT, Image::FORMAT_RGF, Image::FORMAT_RGH, tiles.turbulence.data())),
+	const auto pairs = [&](const std::vector<uint64_t> &cells) {
+		return server->texture_2d_create(
+				picture_of(AirTiles::WIDTH, AirTiles::HEIGHT, Image::FORMAT_RGF, Image::FORMAT_RGH, cells.data()));
+	};
+	return { pairs(tiles.turbulence), pairs(tiles.eddies),
 		server->texture_2d_create(picture_of(AirTiles::WAVES_WIDTH, AirTiles::WAVES_HEIGHT, Image::FORMAT_RF,
 				Image::FORMAT_RH, tiles.waves.data())) };
 }
@@ -59,6 +63,7 @@ static void show_textures(const AirTiles &tiles, const RID &material) {
 	}
 	if (known_materials->insert(material.get_id()).second) {
 		server->material_set_param(material, "undergrowth_turbulence", textures->turbulence);
+		server->material_set_param(material, "undergrowth_eddies", textures->eddies);
 		server->material_set_param(material, "undergrowth_waves", textures->waves);
 	}
 }
@@ -68,6 +73,13 @@ static void show_map(const AirMap &map, const RID &material, const StringName &s
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->material_set_param(material, start, TEXEL * Vector2(map.s, map.n));
 	server->material_set_param(material, texels, TEXEL * Vector4(map.s_x, map.n_x, map.s_z, map.n_z));
+}
+
+// The rows of a map by the turns of a sine: their number at the world's origin and per metre of x and z, and the
+// texels.
+static void show_sway(const AirMap &map, const RID &material, const StringName &name) {
+	RenderingServer::get_singleton()->material_set_param(
+			material, name, Vector4(map.turn, map.turn_x, map.turn_z, map.sway / AirMap::PARTS));
 }
 
 void show_wind(const FieldWind &air, double time, const Ref<Material> &material) {
@@ -80,8 +92,14 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	const float along_gust = gust / std::sqrt(1.0f + 2.0f * now.skew * now.skew);
 	const float waves = now.waves.cells ? now.canopy_wave_amount : 0.0f;
 	show_textures(*air.tiles, target);
-	show_map(now.turbulence, target, "undergrowth_wind_start", "undergrowth_wind_texels");
+	show_map(now.open.turbulence, target, "undergrowth_wind_start", "undergrowth_wind_texels");
+	show_map(now.open.eddies, target, "undergrowth_eddies_start", "undergrowth_eddies_texels");
+	show_map(now.canopy.turbulence, target, "undergrowth_canopy_start", "undergrowth_canopy_texels");
+	show_map(now.canopy.eddies, target, "undergrowth_canopy_eddies_start", "undergrowth_canopy_eddies_texels");
 	show_map(now.waves, target, "undergrowth_waves_start", "undergrowth_waves_texels");
+	show_sway(now.open.turbulence, target, "undergrowth_wind_sway");
+	show_sway(now.canopy.turbulence, target, "undergrowth_canopy_sway");
+	server->material_set_param(target, "undergrowth_waves_bent", now.waves_bent / AirMap::PARTS);
 	server->material_set_param(target, "undergrowth_wind_ways", Vector4(along.x, along.z, along.side_x, along.side_z));
 	server->material_set_param(
 			target, "undergrowth_wind_air", Vector4(now.speed, along_gust, gust * float(SIDE_GUSTS), now.skew));
@@ -92,8 +110,9 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 
 void free_wind_textures() {
 	if (textures) {
-		RenderingServer::get_singleton()->free_rid(textures->turbulence);
-		RenderingServer::get_singleton()->free_rid(textures->waves);
+		for (const RID &texture : { textures->turbulence, textures->eddies, textures->waves }) {
+			RenderingServer::get_singleton()->free_rid(texture);
+		}
 		delete textures;
 		delete known_materials;
 		textures = nullptr;

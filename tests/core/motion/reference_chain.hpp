@@ -17,6 +17,7 @@ class ReferenceChain {
 public:
 	static constexpr int LINKS = 64;
 	static constexpr double GRAVITY = 9.81; // m/s².
+	static constexpr double HALF_AIR = 0.5 * 1.225; // kg/m³.
 	using Row = std::array<double, LINKS>;
 
 	/// `damping`: damping ratio of the slowest small swing. The dashpots are proportional to the springs.
@@ -33,12 +34,12 @@ public:
 			mass[i] = h *
 					(static_cast<double>(stem.density) * undergrowth::PI / 4.0 * d * d +
 							static_cast<double>(stem.leaf_mass) / static_cast<double>(stem.length));
-			air[i] = 0.6 * h *
+			air[i] = HALF_AIR * h *
 					(static_cast<double>(stem.drag_coefficient) * d +
 							static_cast<double>(stem.leaf_drag_area) / static_cast<double>(stem.length));
 		}
 		head_mass = static_cast<double>(stem.head_mass);
-		head_air = 0.6 * static_cast<double>(stem.head_drag_area);
+		head_air = HALF_AIR * static_cast<double>(stem.head_drag_area);
 		find_masses();
 		find_swing(damping);
 	}

@@ -13,6 +13,8 @@
 /// product's beam. Heads are points at their centre; loads at positions are not supported.
 class SteadyChain {
 public:
+	static constexpr double HALF_AIR = 0.5 * 1.225; // kg/m³.
+
 	explicit SteadyChain(const undergrowth::StemBeam &stem, double youngs_modulus, int links = 128) :
 			beam(stem),
 			modulus(youngs_modulus),
@@ -89,9 +91,9 @@ private:
 
 	/// kg/m of the link: half the air's density times drag area.
 	double drag(int link) const {
-		return 0.6 * h * (beam.drag_coefficient * width(link + 0.5) + beam.leaf_drag_area / beam.length);
+		return HALF_AIR * h * (beam.drag_coefficient * width(link + 0.5) + beam.leaf_drag_area / beam.length);
 	}
-	double head_drag() const { return 0.6 * beam.head_drag_area; }
+	double head_drag() const { return HALF_AIR * beam.head_drag_area; }
 	double all_drag() const {
 		double sum = head_drag();
 		for (int i = 0; i < count; i++) {

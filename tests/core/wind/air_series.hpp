@@ -1,10 +1,14 @@
 #pragma once
 
+#include "base/random.hpp"
 #include "wind/air.hpp"
 #include "wind/air_profile.hpp"
+#include "wind/field_wind.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 /// One map for all tests, since its creation takes 0.1 s.
@@ -26,17 +30,62 @@ struct Series {
 	std::vector<float> along, across; ///< Standard deviations.
 };
 
-/// Turbulence at a position (x, z) at `count` times, `step` seconds apart.
-inline Series turbulence_at(const undergrowth::Air &air, float x, float z, int count, double step) {
-	Series series = { std::vector<float>(static_cast<std::size_t>(count)),
-		std::vector<float>(static_cast<std::size_t>(count)) };
-	for (int i = 0; i < count; i++) {
-		const undergrowth::AirSnapshot now = undergrowth::air_at_time(air, {}, &shared_tiles(), i * step);
-		const auto k = static_cast<std::size_t>(i);
-		undergrowth::baseline_wind_kernels()->sample_turbulence(
-				now.turbulence, &x, &z, 1, &series.along[k], &series.across[k]);
+/// Standard deviations of the wind at many positions, `height` above open ground.
+class WindAt {
+public:
+	WindAt(const undergrowth::Air &air, float height, std::vector<float> along_x, std::vector<float> along_z) :
+			x(std::move(along_x)), z(std::move(along_z)), heights(x.size(), height) {
+		wind.wind.kind = undergrowth::WindKind::air;
+		wind.air = air;
+		wind.tiles =
+				std::shared_ptr<const undergrowth::AirTiles>(&shared_tiles(), [](const undergrowth::AirTiles *) {});
+		const auto above = static_cast<double>(height);
+		const auto rough = static_cast<double>(air.roughness);
+		mean = air.speed * static_cast<float>(undergrowth::open_ground_speed(above, rough));
+		gust = air.speed * static_cast<float>(undergrowth::open_ground_gusts(above, rough));
 	}
-	return series;
+
+	/// At `time`, along the wind and across it; it blows towards +z.
+	Series at(double time) const {
+		Series now = { std::vector<float>(x.size()), std::vector<float>(x.size()) };
+		const undergrowth::WindSnapshot snapshot = undergrowth::wind_at_time(wind, time);
+		const undergrowth::AirMoments moments =
+				undergrowth::moments_over(snapshot.air, 0.0f, undergrowth::winds_along(wind));
+		undergrowth::sample_air(snapshot, moments, x.data(), z.data(), heights.data(), static_cast<int>(x.size()),
+				now.across.data(), now.along.data());
+		for (std::size_t i = 0; i < x.size(); i++) {
+			now.along[i] = (now.along[i] - mean) / gust;
+			now.across[i] /= gust * static_cast<float>(undergrowth::SIDE_GUSTS);
+		}
+		return now;
+	}
+
+	/// At each position, at `count` times, `step` seconds apart.
+	std::vector<Series> series(int count, double step) const {
+		std::vector<Series> all(x.size());
+		for (int k = 0; k < count; k++) {
+			const Series now = at(k * step);
+			for (std::size_t i = 0; i < x.size(); i++) {
+				all[i].along.push_back(now.along[i]);
+				all[i].across.push_back(now.across[i]);
+			}
+		}
+		return all;
+	}
+
+private:
+	undergrowth::FieldWind wind;
+	std::vector<float> x, z, heights;
+	float mean = 0.0f, gust = 1.0f; ///< m/s.
+};
+
+/// Numbers from -size to size, evenly distributed.
+inline std::vector<float> scattered(uint64_t which, int count, float size) {
+	std::vector<float> all;
+	for (int i = 0; i < count; i++) {
+		all.push_back(size * undergrowth::signed_noise(which, static_cast<uint64_t>(i)));
+	}
+	return all;
 }
 
 inline double mean_of(const std::vector<float> &values) {

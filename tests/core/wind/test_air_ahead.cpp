@@ -99,7 +99,7 @@ TEST_CASE("air sampled ahead matches the current air, except for frequencies wit
 
 TEST_CASE("air is sampled in one of several steps, which differs between pages") {
 	const FieldWind wind = fresh_breeze();
-	const int stride = AirAhead::stride_in(wind.air, STEP, SWING);
+	const int stride = AirAhead::stride_in(wind.air, STEP, SWING, STAND);
 	REQUIRE(stride > 2);
 	for (const int turn : { 0, 1, 2 }) {
 		Canopy canopy;
@@ -117,17 +117,21 @@ TEST_CASE("air is sampled in one of several steps, which differs between pages")
 	}
 }
 
-TEST_CASE("fast plants, and those with fast waves over them, have more frequent samples") {
+TEST_CASE("fast plants, strong winds and short waves have more frequent samples") {
 	Air air = fresh_breeze().air;
-	CHECK(AirAhead::stride_in(air, STEP, 1.0f / 10.5f) == 1);
-	CHECK(AirAhead::stride_in(air, STEP, 0.25f) == 3);
+	CHECK(AirAhead::stride_in(air, STEP, 1.0f / 10.5f, STAND) == 1);
+	CHECK(AirAhead::stride_in(air, STEP, 0.25f, STAND) == 3);
 	air.canopy_wave_amount = 0.0f;
-	CHECK(AirAhead::stride_in(air, STEP, 10.0f) == AirAhead::MAX_STEPS);
-	CHECK(AirAhead::stride_in(air, 2.0f * STEP, 10.0f) == 2);
-	CHECK(AirAhead::stride_in(air, 4.0f * STEP, 10.0f) == 1);
+	CHECK(AirAhead::stride_in(air, STEP, 10.0f, STAND) == AirAhead::MAX_STEPS);
+	CHECK(AirAhead::stride_in(air, 2.0f * STEP, 10.0f, STAND) == 2);
+	CHECK(AirAhead::stride_in(air, 4.0f * STEP, 10.0f, STAND) == 1);
+	air.speed = 19.0f;
+	CHECK(AirAhead::stride_in(air, STEP, 10.0f, STAND) == 2); // 7.1 m/s.
+	CHECK(AirAhead::stride_in(air, STEP, 10.0f, 0.0f) == 1); // 11.5 m/s over open ground.
+	air.speed = 9.0f;
 	air.canopy_wave_amount = 0.3f;
 	air.canopy_height = 0.05f;
-	CHECK(AirAhead::stride_in(air, STEP, 10.0f) == 1);
+	CHECK(AirAhead::stride_in(air, STEP, 10.0f, STAND) == 1);
 }
 
 TEST_CASE("nothing is sampled ahead without wind, or if each step samples its own air") {

@@ -40,7 +40,7 @@ void FieldMotion::wait() {
 	for (const Height &one : std::exchange(heights, {})) {
 		const int page = rows_of(one.ref.chunk).page;
 		if (!simulation->page(page).is_gone(row_of(one.ref))) {
-			simulation->page(page).set_plant(row_of(one.ref), one.plant);
+			simulation->set_plant(page, row_of(one.ref), one.plant);
 			textures->set_height(page, row_of(one.ref), one.share);
 		}
 	}
@@ -447,9 +447,6 @@ void FieldMotion::update_far(const Frame &frame, const MotionOptions &options) {
 	if (!is_due) {
 		return;
 	}
-	if (frame.wind.is_valid() && !frame.cameras.empty()) {
-		Ref<PlantWind>(frame.wind)->set_pivot(frame.cameras.front());
-	}
 	const Transform3D to_field = frame.axes.affine_inverse();
 	std::vector<glm::vec3> cameras;
 	for (const Vector3 &camera : frame.cameras) {
@@ -496,6 +493,11 @@ void FieldMotion::start_step(const Frame &frame, const MotionOptions &options, b
 	is_transferred = false;
 	TipContact *contact = with_contact && simulation->settings().prototypes == 0 ? &touching : nullptr;
 	simulated_before = simulation->settings().prototypes > 0 ? simulation->simulated_count() : 0;
+	airs.resize(size_t(simulation->species_count()));
+	for (size_t i = 0; i < airs.size(); i++) {
+		airs[i].step(simulation->air_speed(int(i)), frame.steps.length);
+	}
+	stirred = simulation->stirred_speed();
 	steps.start(*simulation, *textures, leans, contact, worker_count(options));
 	swings.step(frame.steps.length);
 }
@@ -637,9 +639,19 @@ FieldMotion::Delays FieldMotion::follower_delays(const Transform3D &axes) const 
 	return { world_delay(delays.after(), axes), world_delay(delays.before(), axes), delays.share(shown_alpha) };
 }
 
+glm::vec3 FieldMotion::part_air(int species) const {
+	const auto index = size_t(species);
+	return index < airs.size() ? glm::vec3(airs[index].speed(), stirred, airs[index].turns()) : glm::vec3(0.0f);
+}
+
 StemMotion FieldMotion::blocking_read_drawn_stem(const PlantRef &ref) const {
-	StemMotion stem = simulation->shown_stem(rows_of(ref.chunk).page, row_of(ref), shown_alpha);
+	const int page = rows_of(ref.chunk).page;
+	StemMotion stem = simulation->shown_stem(page, row_of(ref), shown_alpha);
+	const glm::vec3 air = part_air(simulation->page(page).species());
 	stem.clock = swing_clock();
+	stem.air = air.x;
+	stem.stirred = air.y;
+	stem.turns = air.z;
 	return stem;
 }
 

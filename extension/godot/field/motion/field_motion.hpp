@@ -11,6 +11,7 @@
 #include "field/resources/field_options.hpp"
 #include "motion/fixed_step.hpp"
 #include "motion/part_bend.hpp"
+#include "motion/part_air.hpp"
 #include "motion/swing_clock.hpp"
 #include "placement/plant_store.hpp"
 #include "plants/frame_steps.hpp"
@@ -119,6 +120,8 @@ public:
 	godot::RID beat_texture() const { return textures ? textures->beats() : godot::RID(); }
 	/// Drawn time of the swing clock: 0 to 1, a fraction of SWING_PERIOD.
 	float swing_clock() const { return swings.now(shown_alpha); }
+	/// Air that makes parts of a species flutter: speed, speed of sources (m/s), and turns, as in StemMotion.
+	glm::vec3 part_air(int species) const;
 	/// Position of the drawn frame in the steps of the motion.
 	double shown_steps() const { return shown_at; }
 	/// Length of a step (s).
@@ -136,6 +139,10 @@ public:
 	glm::vec3 blocking_read_tip(const PlantRef &ref);
 	/// The bend that is drawn in this frame and the remaining values that move a plant's parts, in the field's axes.
 	StemMotion blocking_read_drawn_stem(const PlantRef &ref) const;
+	/// What grows around a plant that does not belong to the field (CanopyGrid::around()). Does not wait.
+	PlantCanopy canopy_around(const glm::vec3 &place, float height, int species) const {
+		return simulation ? simulation->canopy_around(place, height, species) : PlantCanopy();
+	}
 	bool blocking_is_point_in_plants(const glm::vec3 &point, float margin);
 	void write_state(const PlantRef &ref, const MotionState &state);
 	void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse);
@@ -183,6 +190,8 @@ private:
 	float shown_alpha = 0.0f; ///< Of the next frame to draw.
 	double shown_at = 0.0; ///< In steps: what upload() passed to the textures.
 	SwingClock swings;
+	std::vector<PartAir> airs; ///< By species.
+	float stirred = 0.0f; ///< m/s.
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
 

@@ -1,5 +1,7 @@
+#include "base/convert.hpp"
 #include "field/view/field_materials.hpp"
 
+#include "base/convert.hpp"
 #include "base/messages.hpp"
 #include "base/stopwatch.hpp"
 #include "field/build/build_input.hpp"
@@ -205,7 +207,8 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 	sent_clock = -1.0f;
 	swinging.clear();
 	swings_to = 0.0f;
-	for (const SpeciesStyle &style : setup.styles) {
+	for (size_t species = 0; species < setup.styles.size(); species++) {
+		const SpeciesStyle &style = setup.styles[species];
 		const float end = style.motion.longest * SWINGS_TO;
 		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
 			const FieldLevel level = drawn_level(style, i);
@@ -213,7 +216,7 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
 			const bool swings = style.materials[i]->get_shader() != shadows_shader();
 			if (swings && level.is_used && nearest < end) {
-				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, end * SWINGS_WHOLE, end });
+				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, int(species), end * SWINGS_WHOLE, end });
 				swings_to = std::max(swings_to, end);
 			}
 		}
@@ -239,10 +242,12 @@ void FieldMaterials::send_swing_clock(const FieldMotion &motion, const SeenDista
 	sent_clock = clock;
 	sent_seen = seen;
 	static const StringName &swing = *new StringName("undergrowth_swing");
+	static const StringName &air = *new StringName("undergrowth_air");
 	RenderingServer *server = RenderingServer::get_singleton();
 	for (const Swinging &one : swinging) {
 		if (seen.nearest < one.end && one.nearest <= seen.farthest && one.farthest >= seen.nearest) {
 			server->material_set_param(one.material, swing, Vector3(clock, one.whole, one.end));
+			server->material_set_param(one.material, air, to_godot(motion.part_air(one.species)));
 		}
 	}
 }

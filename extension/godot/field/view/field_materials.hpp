@@ -56,6 +56,7 @@ private:
 	struct Swinging {
 		godot::RID material;
 		float nearest, farthest; ///< m: distances at which leaves swing.
+		int species;
 		float whole, end; ///< m: they swing fully up to one distance and not at all beyond the other.
 	};
 	std::vector<Swinging> swinging;

@@ -1,0 +1,130 @@
+## Shelter from air: low plants among taller ones, and single plants in a field.
+extends "res://tests/engine/harness.gd"
+
+const CLOVER := "res://addons/undergrowth/species/white_clover.tres"
+const WHEAT := "res://addons/undergrowth/species/wheat.tres"
+const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
+## Degrees by which a single plant may differ from plants of a field around it.
+const SAME_LEAN := 1.0
+const SINGLES := 16
+
+var _wind: PlantWind
+
+
+func before_each() -> void:
+	_wind = PlantWind.new()
+	_wind.kind = PlantWind.KIND_AIR
+	_wind.speed = 9.0
+	_wind.turbulence = 0.0
+
+
+func after_each() -> void:
+	_wind = null
+
+
+func test_clover_in_wheat_feels_a_tenth_of_the_force_at_most() -> void:
+	var open := await _clover_lean(0.0)
+	var sheltered := await _clover_lean(90.0)
+	check(open > 0.01, "clover leans by %.4f of its height in the open" % open)
+	check(sheltered < 0.1 * open, "among wheat by %.4f" % sheltered)
+
+
+func test_a_single_plant_in_a_field_leans_as_its_neighbours() -> void:
+	var species: PlantFunction = load(GRASS)
+	var field := _field([species], 40.0)
+	await _settled(field)
+	var ids: PackedInt64Array = field.find_plants_in_sphere(Vector3.ZERO, 6.0)
+	var heights := Array(field.get_plant_heights(ids))
+	heights.sort()
+	var height: float = heights[heights.size() / 2]
+	var singles: Array[Plant3D] = []
+	for i in SINGLES:
+		singles.append(_single(species, height, i, Vector3(0.3 * i, 0, 0)))
+	var lone := _single(species, height, 0, Vector3(500, 0, 0))
+	await frames(600)
+	var near := _lean(_mean_of(singles))
+	var sum := Vector3.ZERO
+	var count := 0
+	for id in ids:
+		var scale := field.get_plant_transform(id).basis.get_scale().y
+		var is_alike := absf(field.get_plant_height(id) - height) < 0.05 * height
+		if is_alike and absf(scale - 1.0) < 0.05:  # Larger plants are thicker.
+			sum += _direction(field.get_motion_state(PackedInt64Array([id])))
+			count += 1
+	check(count > 50, "%d plants of about its height" % count)
+	var mean := _lean(sum)
+	var open := _lean(_direction(lone.get_motion_state()))
+	check(open > near + 5.0, "a plant in the open leans more: %.2f°" % open)
+	var shown := "single %.2f°, %d of the field %.2f°" % [near, count, mean]
+	check(absf(near - mean) < SAME_LEAN, shown)
+	for single in singles:
+		single.free()
+	lone.free()
+	field.free()
+
+
+## Returns how far the wind moves the tips of clover, in heights, with this density of wheat.
+func _clover_lean(wheat: float) -> float:
+	var clover: PlantFunction = load(CLOVER)
+	var field := _field([clover, load(WHEAT)], 20.0 + wheat)
+	field.species[0].weight = 20.0
+	field.species[1].weight = maxf(wheat, 0.001)
+	await _settled(field)
+	var ids := PackedInt64Array()
+	for id in field.find_plants_in_sphere(Vector3.ZERO, 3.0):
+		if field.get_plant_species(id) == clover:
+			ids.append(id)
+	_wind.speed = 0.0
+	await frames(400)
+	var calm := field.get_tip_positions(ids)
+	_wind.speed = 9.0
+	await frames(400)
+	var blown := field.get_tip_positions(ids)
+	var sum := 0.0
+	for i in ids.size():
+		var away := blown[i] - calm[i]
+		sum += Vector2(away.x, away.z).length() / field.get_plant_height(ids[i])
+	field.free()
+	check(ids.size() > 20, "%d clover plants" % ids.size())
+	return sum / maxi(ids.size(), 1)
+
+
+func _field(species: Array, density: float) -> PlantField3D:
+	var field := PlantField3D.from_species(species)
+	field.size = Vector2(16, 16)
+	field.density = density
+	field.wind = _wind
+	field.combed = 0.0
+	root.add_child(field)
+	return field
+
+
+func _settled(field: PlantField3D) -> void:
+	while field.is_building() or field.get_plant_count() == 0:
+		await process_frame
+
+
+func _single(species: PlantFunction, height: float, number: int, place: Vector3) -> Plant3D:
+	var single := Plant3D.new()
+	single.species = species
+	single.wind = _wind
+	single.height = height
+	single.seed = number
+	single.position = place
+	root.add_child(single)
+	return single
+
+
+func _mean_of(singles: Array[Plant3D]) -> Vector3:
+	var sum := Vector3.ZERO
+	for single in singles:
+		sum += _direction(single.get_motion_state())
+	return sum
+
+
+func _direction(state: PackedFloat32Array) -> Vector3:
+	return Vector3(state[0], state[1], state[2])
+
+
+func _lean(direction: Vector3) -> float:
+	return rad_to_deg(Vector3.UP.angle_to(direction))
