@@ -32,8 +32,8 @@ String SpeciesGrowth::sample(PlantFunction &species, double height, int segments
 	return height == 0.0 ? String() : find_height_problem(height);
 }
 
-// The pictures of all fields show one plant of these seeds: the first one with all kinds of parts, or with most of them.
-// Some plants have no flowers.
+// The pictures of all fields show one plant of these seeds: the first one with all kinds of parts, or with most of
+// them. Some plants have no flowers.
 static constexpr int64_t FIRST_CARD_SEED = 1;
 static constexpr int64_t LAST_CARD_SEED = 8;
 
