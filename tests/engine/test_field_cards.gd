@@ -3,6 +3,7 @@ extends "res://tests/engine/field_harness.gd"
 
 const FERN := "res://addons/undergrowth/species/male_fern.tres"
 const LAWN := "res://addons/undergrowth/species/lawn_grass.tres"
+const GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
 const YARROW := "res://addons/undergrowth/species/yarrow.tres"
 const MEADOW := "res://addons/undergrowth/mixes/meadow.tscn"
 ## Flowers with cards at 5 segments, and the maximum error of their outlines (m).
@@ -44,6 +45,14 @@ func test_umbels_have_cards() -> void:
 	field.density = 0.5
 	await start()
 	check(_carded(0).count(1) >= 1, "cards of yarrow: %s" % [_carded(0)])
+
+
+func test_cards_show_parts_that_only_some_plants_have() -> void:
+	field.free()
+	field = PlantField3D.from_species([load(GRASS)])
+	field.density = 0.5
+	await start()
+	check(_carded(0).count(1) >= 1, "half of the grass has no panicle: %s" % [_carded(0)])
 
 
 func test_cards_need_fewer_vertices_for_the_same_error() -> void:

@@ -18,6 +18,8 @@ const LAYERS := 48
 ## Extinction of the view per m² of leaves on a m² of ground. Evenly spread leaves would have 4.4 in
 ## a view 6.5° below the horizon. Those of plants overlap, and leave gaps.
 const EXTINCTION := 1.5
+## The species of fields without own ones.
+const DEFAULT_SPECIES := "res://addons/undergrowth/species/meadow_grass.tres"
 
 ## The field on this ground.
 @export var field: PlantField3D
@@ -53,12 +55,13 @@ func _process(_delta: float) -> void:
 ## Gives [param material] the mean colour of the plants of [param of_field]:
 ## [code]field_color[/code] and [code]field_translucency[/code].
 static func apply_color(material: ShaderMaterial, of_field: PlantField3D) -> void:
+	var species := _species_of(of_field)
 	var weights := 0.0
-	for entry in of_field.species:
+	for entry in species:
 		weights += entry.weight if entry != null and entry.species != null else 0.0
 	var meshes: Array[Array] = []  # Each with the size and the density of its plants.
 	var tallest := 1e-6
-	for entry in of_field.species:
+	for entry in species:
 		if entry == null or entry.species == null or weights <= 0.0:
 			continue
 		var size := (entry.scale_range.x + entry.scale_range.y) * 0.5
@@ -140,6 +143,12 @@ func _show_bounds() -> void:
 func _show_density() -> void:
 	apply_density(_material, field)
 	_material.set_shader_parameter(&"field_beyond", 0.0)
+
+
+static func _species_of(field: PlantField3D) -> Array[PlantFieldSpecies]:
+	if field.species.is_empty() and ResourceLoader.exists(DEFAULT_SPECIES):
+		return [PlantFieldSpecies.of(load(DEFAULT_SPECIES) as PlantFunction)]
+	return field.species
 
 
 # Returns the height, as a share of that of all layers, below which 90 % of the area are.

@@ -1,6 +1,7 @@
 #include "form/form_arrays.hpp"
 
 #include "form/shared_cards.hpp"
+#include "mesh/facets.hpp"
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
 #include "plants/part_skeleton.hpp"
@@ -141,7 +142,9 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
 	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty(),
-		cards.is_empty() ? has_open_bodies(grown.form, plan) : cards.rest.body_count > 0 };
+		cards.is_empty() ? has_open_bodies(grown.form, plan) : cards.rest.body_count > 0,
+		cards.is_empty() ? facets_of(grown.form, plan)
+						 : facets_of(grown.card_form(sampled.cards->sheet()).rest, cards.rest) };
 }
 
 } // namespace undergrowth

@@ -7,6 +7,9 @@
 #include "species/shared_resources.hpp"
 #include "species/species_sampling.hpp"
 
+#include <algorithm>
+#include <vector>
+
 using namespace godot;
 
 namespace undergrowth {
@@ -29,19 +32,39 @@ String SpeciesGrowth::sample(PlantFunction &species, double height, int segments
 	return height == 0.0 ? String() : find_height_problem(height);
 }
 
-// The pictures of all fields show the plant of this seed.
-static constexpr int64_t CARD_SEED = 1;
+// The pictures of all fields show one plant of these seeds: the first one with all kinds of parts, or with most of
+// them. Some plants have no flowers.
+static constexpr int64_t FIRST_CARD_SEED = 1;
+static constexpr int64_t LAST_CARD_SEED = 8;
+
+static size_t count_kinds(const PlantForm &form) {
+	std::vector<bool> is_placed(form.parts.size(), false);
+	for (const PlacedPart &part : form.placed) {
+		is_placed[size_t(part.kind)] = true;
+	}
+	return size_t(std::count(is_placed.begin(), is_placed.end(), true));
+}
 
 std::shared_ptr<SharedCards> SpeciesGrowth::cards(PlantFunction &species) {
 	const int64_t state = state_of_script(&species);
 	if (shared_cards && state_of_cards == state) {
 		return shared_cards;
 	}
-	std::shared_ptr<const GrownPlant> grown = grown_before.find(CARD_SEED, state);
-	if (!grown && !grow(species, CARD_SEED, grown).is_empty()) {
-		return nullptr;
+	std::shared_ptr<const GrownPlant> shown;
+	size_t kinds = 0;
+	for (int64_t seed = FIRST_CARD_SEED; seed <= LAST_CARD_SEED; seed++) {
+		std::shared_ptr<const GrownPlant> grown = grown_before.find(seed, state);
+		if (!grown && !grow(species, seed, grown).is_empty()) {
+			return nullptr;
+		}
+		const size_t own = count_kinds(grown->form);
+		shown = !shown || own > kinds ? grown : shown;
+		kinds = std::max(kinds, own);
+		if (own == grown->form.parts.size()) {
+			break;
+		}
 	}
-	shared_cards = std::make_shared<SharedCards>(grown);
+	shared_cards = std::make_shared<SharedCards>(shown);
 	state_of_cards = state;
 	return shared_cards;
 }

@@ -33,6 +33,7 @@ struct MeshArrays {
 	bool has_cards = false;
 	/// Solid shapes in place of several parts. Without cards, only those in place of parts that are not close together.
 	bool has_bodies = false;
+	float facets = 0.0f; ///< m: see facets_of(). 0 for plants without parts.
 
 	/// Largest distance from the axis (m), deviations included.
 	float width() const;

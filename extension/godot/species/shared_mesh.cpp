@@ -120,7 +120,7 @@ float SharedMesh::outline_error(const LevelError &whole) {
 	const SeenMesh level = { reinterpret_cast<const glm::vec3 *>(positions.ptr()), int(positions.size()), indices.ptr(),
 		int(indices.size()) };
 	if (!seen.has_cards) {
-		return whole.of(level);
+		return std::max(whole.of(level), seen.facets);
 	}
 	const PackedVector3Array normals = seen.arrays[Mesh::ARRAY_NORMAL];
 	const PackedFloat32Array tangents = seen.arrays[Mesh::ARRAY_TANGENT];
@@ -139,7 +139,7 @@ float SharedMesh::outline_error(const LevelError &whole) {
 	for (const CardLayer &layer : sheet.pictures) {
 		cards.layers.push_back(layer.colors.data());
 	}
-	return whole.of(level, cards);
+	return std::max(whole.of(level, cards), seen.facets);
 }
 
 // The engine may wait for the main thread while it creates a mesh, so this does not hold the lock. If two threads

@@ -39,7 +39,8 @@ public:
 	bool has_cards() const { return built_has_cards; }
 	/// See MeshArrays. Call after build().
 	bool has_bodies() const { return built_has_bodies; }
-	/// Returns the error of the outline (m) of a plant of parts. Builds the arrays if necessary. Any thread.
+	/// Returns the error of the outline, and of the edges of blades (m), of a plant of parts. Builds the arrays if
+	/// necessary. Any thread.
 	float outline_error(const LevelError &whole);
 
 private:
