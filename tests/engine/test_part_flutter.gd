@@ -58,7 +58,7 @@ func test_leaves_of_a_plant_that_a_body_holds_in_calm_air_are_still() -> void:
 	body.free()
 
 
-## Returns the root mean square of the turns of a leaf's bone (degrees) about their mean, from this frame on.
+## Returns the root mean square of the turns of a leaf (degrees), from that frame on.
 func _flutter_after(count: int) -> float:
 	await frames(count)
 	var skeleton := _plant.get_skeleton()

@@ -33,7 +33,7 @@ def ready_names():
     names = set()
     for path in [*EDITOR.glob("species/*.tres"), *EDITOR.glob("mixes/*.tscn")]:
         own = re.search(r'^\[resource\].*?^resource_name = "(.+?)"$', path.read_text(encoding="utf-8"), re.M | re.S)
-        names.add(own[1] if own else path.stem.replace("_", " ").capitalize())
+        names.add(own[1] if own else path.stem.replace("_", " ").title())
     return names
 
 

@@ -32,9 +32,9 @@ struct StemMotion {
 ///   al. 2018),
 /// - stiff parts (of high frequency) move less, and no part folds far towards its stem or into the ground.
 ///
-/// So parts of a stem at rest in calm air are still, and parts of a stem that a body holds in calm air, too. The result is bounded and finite for
-/// all inputs. undergrowth_part_bend() in addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for
-/// fields; change both together.
+/// So parts of a stem at rest in calm air are still, and parts of a stem that a body holds in calm air, too. The result
+/// is bounded and finite for all inputs. undergrowth_part_bend() in
+/// addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for fields; change both together.
 glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem);
 
 /// About 44°: of a tip's turn as seen from the pivot. The tip itself points twice as far.

@@ -27,8 +27,7 @@ float speed_over(float speed, float canopy_height, const TallerPlants &taller = 
 	const FieldWind wind = smooth_air(speed);
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
 	species.canopy_height = canopy_height;
-	return air_speed_at(
-			wind_at_time(wind, 5.0), winds_along(wind), species, taller, 0.5f, { 3.0f, 0.0f, 2.0f });
+	return air_speed_at(wind_at_time(wind, 5.0), winds_along(wind), species, taller, 0.5f, { 3.0f, 0.0f, 2.0f });
 }
 
 } // namespace
@@ -47,8 +46,8 @@ TEST_CASE("a wind in newtons counts as the air with the same force") {
 	MotionSpecies species = species_with(Law::spring, varied_joint(1));
 	species.joint.drag_area = 0.4f;
 	species.joint.wind_weight = 1.0f;
-	const float speed = air_speed_at(
-			wind_at_time(wind, 5.0), winds_along(wind), species, {}, 0.5f, { 3.0f, 0.0f, 2.0f });
+	const float speed =
+			air_speed_at(wind_at_time(wind, 5.0), winds_along(wind), species, {}, 0.5f, { 3.0f, 0.0f, 2.0f });
 	CHECK(0.5 * static_cast<double>(AIR_DENSITY) * 0.4 * static_cast<double>(speed * speed) ==
 			doctest::Approx(1.5).epsilon(1e-3));
 }

@@ -1,5 +1,5 @@
-#include "base/convert.hpp"
 #include "field/view/field_materials.hpp"
+#include "base/convert.hpp"
 
 #include "base/convert.hpp"
 #include "base/messages.hpp"
@@ -216,7 +216,8 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
 			const bool swings = style.materials[i]->get_shader() != shadows_shader();
 			if (swings && level.is_used && nearest < end) {
-				swinging.push_back({ style.materials[i]->get_rid(), nearest, farthest, int(species), end * SWINGS_WHOLE, end });
+				swinging.push_back(
+						{ style.materials[i]->get_rid(), nearest, farthest, int(species), end * SWINGS_WHOLE, end });
 				swings_to = std::max(swings_to, end);
 			}
 		}

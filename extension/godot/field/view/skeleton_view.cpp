@@ -199,8 +199,8 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 			FieldSkeletons::pose(skeleton, quaternion_of(own));
 		}
 		if (entry.parts) {
-			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), to_own(stem.second), stem.clock,
-				stem.air, stem.stirred, stem.turns };
+			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), to_own(stem.second), stem.clock, stem.air,
+				stem.stirred, stem.turns };
 			entry.parts->pose(skeleton);
 		}
 	}
