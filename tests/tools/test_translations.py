@@ -5,6 +5,7 @@ import unittest
 from pathlib import Path
 
 EDITOR = Path(__file__).resolve().parents[2] / "addons/undergrowth"
+CLASSES = EDITOR.parents[1] / "extension/doc_classes"
 STRING = r'"((?:[^"\\]|\\.)*)"'
 # In scripts: texts passed to translation functions. Plural forms use the first text.
 CALLS = re.compile(r"\b(?:tr|tr_n|Translations\.text)\(\s*" + STRING)
@@ -33,8 +34,14 @@ def ready_names():
     names = set()
     for path in [*EDITOR.glob("species/*.tres"), *EDITOR.glob("mixes/*.tscn")]:
         own = re.search(r'^\[resource\].*?^resource_name = "(.+?)"$', path.read_text(encoding="utf-8"), re.M | re.S)
-        names.add(own[1] if own else path.stem.replace("_", " ").title())
+        words = (own[1] if own else path.stem.replace("_", " ")).split(" ")
+        names.add(" ".join(word[0].upper() + word[1:] for word in words))
     return names
+
+
+def kinds():
+    """Returns the titles of the kinds of parts: names of classes without their first word."""
+    return {path.stem.removeprefix("Plant") for path in CLASSES.glob("Plant*.xml")}
 
 
 def entries(path):
@@ -61,7 +68,7 @@ class Translations(unittest.TestCase):
         sources = "".join(path.read_text(encoding="utf-8") for ending in ("*.gd", "*.tscn")
                           for path in sorted(EDITOR.rglob(ending)))
         for path in EDITOR.rglob("*.po"):
-            idle = {text for text in entries(path) if text not in shown() and text not in sources and text not in ready_names()}
+            idle = {text for text in entries(path) if text not in shown() and text not in sources and text not in ready_names() | kinds()}
             self.assertEqual(idle, set(), path.name)
 
 
