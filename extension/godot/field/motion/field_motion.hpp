@@ -191,6 +191,8 @@ private:
 	double shown_at = 0.0; ///< In steps: what upload() passed to the textures.
 	SwingClock swings;
 	std::vector<PartAir> airs; ///< By species.
+	std::vector<float> air_speeds; ///< m/s: last readings, by species.
+	unsigned air_step = 0;
 	float stirred = 0.0f; ///< m/s.
 	int frames_since_far = 0;
 	std::vector<glm::vec3> pushed_at; ///< m, field axes: bodies of the last step.
@@ -198,6 +200,7 @@ private:
 	const PageRows &rows_of(int chunk) const { return rows[size_t(chunk)]; }
 	int row_of(const PlantRef &ref) const { return rows_of(ref.chunk).first + ref.slot; }
 	void begin_clock();
+	void follow_air(double step);
 	void write_all();
 	int modes_of_prototypes(int species) const; ///< 0: it has none.
 	void grow(const ChangeSet::Grown &grown, const PlantStore &store, const FieldRenderSetup &setup);
