@@ -128,7 +128,8 @@ func test_names_become_files_and_classes() -> void:
 	check_equal(FileNames.to_stem("芦苇"), "芦苇", "stem of another script")
 	check_equal(FileNames.to_class_title("marsh Sedge"), "MarshSedgeFunction", "class")
 	check_equal(FileNames.to_class_title("FoxtailFunction"), "FoxtailFunction", "class as typed")
-	check_equal(FileNames.to_node_name("a.b:c/d"), "a_b_c_d", "node")
+	check_equal(FileNames.to_node_name("a.b:c/d"), "ABCD", "node")
+	check_equal(FileNames.to_node_name("meadow grass"), "MeadowGrass", "node of a species")
 
 
 ## A folder without write permission. With root permissions it is writable nevertheless.
