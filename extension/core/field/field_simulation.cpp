@@ -47,12 +47,12 @@ int FieldSimulation::add_species(const MotionSpecies &species) {
 		detached.emplace_back(species_count() - 1, species, options.step);
 		stirred.emplace_back();
 	}
-	rebuild_canopy();
+	canopy.set_height(species_count() - 1, species.canopy_height);
 	return species_count() - 1;
 }
 
 void FieldSimulation::set_species(int index, const MotionSpecies &species) {
-	kinds[static_cast<std::size_t>(index)] = species;
+	const MotionSpecies before = std::exchange(kinds[static_cast<std::size_t>(index)], species);
 	rates_changed++;
 	for (Entry &entry : entries) {
 		if (entry.page.species() == index) {
@@ -65,7 +65,9 @@ void FieldSimulation::set_species(int index, const MotionSpecies &species) {
 		models[static_cast<std::size_t>(index)].set_species(species);
 		detached[static_cast<std::size_t>(index)].set_species(species);
 	}
-	rebuild_canopy();
+	if (!has_same_drag(before, species)) {
+		rebuild_canopy();
+	}
 }
 
 int FieldSimulation::add_page(int species, const MotionPlant *plants, int count) {
@@ -118,7 +120,7 @@ bool FieldSimulation::add_to_page(int page, const MotionPlant *plants, int count
 
 /// Updates the field's box and assigns prototypes for the new plants of a page.
 void FieldSimulation::take_in(Entry &entry, const MotionPlant *plants, int count) {
-	add_to_canopy(entry.page, entry.page.size() - count, 1.0f);
+	add_to_canopy(entry.page, entry.page.size() - count, entry.page.size(), 1.0f);
 	if (count > 0) {
 		grow_box(entry.page, plant_rows == 0);
 		plant_rows += count;
@@ -156,24 +158,15 @@ void FieldSimulation::drop(int page, int index) {
 	if (!entry.followers.empty()) {
 		follow_again(entry, index);
 	}
-	if (!entry.page.is_gone(index)) {
-		const glm::vec3 root = entry.page.root(index);
-		canopy.add(entry.page.species(), root.x, root.z, -entry.page.drag_area(index));
-	}
+	add_to_canopy(entry.page, index, index + 1, -1.0f);
 	entry.page.drop(index);
 }
 
 void FieldSimulation::set_plant(int page, int index, const MotionPlant &plant) {
 	MotionPage &own = at(page).page;
-	const auto count = [&](float sign) {
-		if (!own.is_gone(index)) {
-			const glm::vec3 root = own.root(index);
-			canopy.add(own.species(), root.x, root.z, sign * own.drag_area(index));
-		}
-	};
-	count(-1.0f);
+	add_to_canopy(own, index, index + 1, -1.0f);
 	own.set_plant(index, plant);
-	count(1.0f);
+	add_to_canopy(own, index, index + 1, 1.0f);
 }
 
 void FieldSimulation::remove_page(int page) {
@@ -182,7 +175,7 @@ void FieldSimulation::remove_page(int page) {
 		follow_again(entry, static_cast<int>(i));
 	}
 	entry.followers = {};
-	add_to_canopy(entry.page, 0, -1.0f);
+	add_to_canopy(entry.page, 0, entry.page.size(), -1.0f);
 	const int species = entry.page.species();
 	entry.page =
 			MotionPage(species, kinds[static_cast<std::size_t>(species)], nullptr, 0, options.step, models.empty());

@@ -250,7 +250,7 @@ private:
 	void update_box();
 	void take_in(Entry &entry, const MotionPlant *plants, int count);
 	void step_prototypes(int64_t number);
-	void add_to_canopy(const MotionPage &page, int first, float sign);
+	void add_to_canopy(const MotionPage &page, int begin, int end, float sign);
 	void rebuild_canopy();
 	void shelter_page(int page);
 	void shelter_prototypes();

@@ -15,9 +15,9 @@ constexpr float BETWEEN_READINGS = 1.0f; // s.
 
 } // namespace
 
-/// Adds the live plants of a page from row `first` on, or removes them with a sign of -1.
-void FieldSimulation::add_to_canopy(const MotionPage &page, int first, float sign) {
-	for (int row = first; row < page.size(); row++) {
+/// Adds the live plants in rows [begin, end) of a page, or removes them with a sign of -1.
+void FieldSimulation::add_to_canopy(const MotionPage &page, int begin, int end, float sign) {
+	for (int row = begin; row < end; row++) {
 		if (!page.is_gone(row)) {
 			canopy.add(page.species(), page.roots_x()[row], page.roots_z()[row], sign * page.drag_area(row));
 		}
@@ -30,7 +30,7 @@ void FieldSimulation::rebuild_canopy() {
 	}
 	canopy.clear();
 	for (const Entry &entry : entries) {
-		add_to_canopy(entry.page, 0, 1.0f);
+		add_to_canopy(entry.page, 0, entry.page.size(), 1.0f);
 	}
 }
 

@@ -25,6 +25,11 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 			(a.law != Law::stem || a.stem == b.stem);
 }
 
+bool has_same_drag(const MotionSpecies &a, const MotionSpecies &b) {
+	return a.law == b.law && a.canopy_height == b.canopy_height && a.joint.drag_area == b.joint.drag_area &&
+			a.stem.drag_area == b.stem.drag_area;
+}
+
 float own_of_root(const glm::vec3 &root) {
 	return signed_unit(bits_of_place(0, root.x, root.z));
 }

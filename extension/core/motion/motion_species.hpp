@@ -24,6 +24,9 @@ struct MotionSpecies {
 /// Whether plants of both move alike, so that they may share a page.
 bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b);
 
+/// Whether plants of the same length have the same MotionPage::drag_area() and the same canopy in both.
+bool has_same_drag(const MotionSpecies &a, const MotionSpecies &b);
+
 /// One plant as it enters a page.
 struct MotionPlant {
 	glm::vec3 root = { 0.0f, 0.0f, 0.0f }; ///< m; only x and z matter to the wind.

@@ -206,3 +206,26 @@ TEST_CASE("a box of any size is read at once") {
 	CHECK(grid.higher_than(LOW_HEIGHT, -far, far) == grid.higher_than(LOW_HEIGHT));
 	CHECK(grid.higher_than(LOW_HEIGHT, far, far) == TallerPlants());
 }
+
+TEST_CASE("shelter follows a species whose drag or height changes") {
+	FieldSimulation field(FieldSettings{});
+	const int low = field.add_species(springs_of(LOW_HEIGHT));
+	const int tall = field.add_species(springs_of(TALL_HEIGHT));
+	const std::vector<MotionPlant> few = low_plants();
+	const std::vector<MotionPlant> many = tall_plants();
+	const int page = field.add_page(low, few.data(), static_cast<int>(few.size()));
+	field.add_page(tall, many.data(), static_cast<int>(many.size()));
+	const auto shelter_with = [&](const MotionSpecies &species) {
+		field.set_species(tall, species);
+		for (int i = 0; i < 120; i++) {
+			field.step();
+		}
+		return field.page(page).taller_plants();
+	};
+	MotionSpecies thin = springs_of(TALL_HEIGHT);
+	thin.joint.drag_area = 0.005f;
+	MotionSpecies lowest = springs_of(0.5f * LOW_HEIGHT);
+	CHECK(shelter_with(springs_of(TALL_HEIGHT)) == TallerPlants{ TALL_HEIGHT, 1.0f });
+	CHECK(shelter_with(thin).cover < 0.5f);
+	CHECK(shelter_with(lowest) == TallerPlants());
+}
