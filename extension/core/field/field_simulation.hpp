@@ -152,6 +152,9 @@ public:
 	TipState state(int page, int index) const { return motion(page, index).tip; }
 	/// Like MotionPage::set_state(), for simulated plants. A moving second mode makes the page step it.
 	void set_state(int page, int index, const TipState &state, const StemSecond &second);
+	/// As MotionPage::lasting_bend(); 0 for followers, which have none.
+	glm::vec2 lasting_bend(int page, int index) const { return at(page).page.lasting_bend(index); }
+	void set_lasting_bend(int page, int index, const glm::vec2 &bend) { at(page).page.set_lasting_bend(index, bend); }
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass.
 	void apply_impulse(int page, int index, const glm::vec3 &impulse);
 
@@ -258,6 +261,7 @@ private:
 	/// In the next step.
 	bool is_due(int page) const { return due_at[static_cast<std::size_t>(page)] == next_step; }
 	void begin_pages();
+	void make_room_for_lasting_bends(MotionPage &page) const;
 	void step_page(int page);
 	int64_t steps_in(float seconds) const { return static_cast<int64_t>(seconds / options.step); }
 	void choose_modes(int page);

@@ -434,6 +434,7 @@ static int push_stems(MotionPage &page, const MovingBody &body, const PageFrame 
 	MovingBody seen = turned_inward(body, frame);
 	const StemPush push(page.stem_constants(), thickness, seen);
 	const StemPage rows = page.stem_page(0);
+	const float lasting = page.trampling().approach(page.step_length());
 	int touched = 0;
 	for_each_block_in_reach(page, body, [&](int *indices, int count) {
 		NearStems stems;
@@ -453,6 +454,7 @@ static int push_stems(MotionPage &page, const MovingBody &body, const PageFrame 
 			const glm::vec3 root = { stems.root_x[i], stems.root_y[i], stems.root_z[i] };
 			if (push.push(state, { stems.rest_x[i], stems.rest_z[i] }, root, stems.length[i], halves[i])) {
 				pushed.add(indices[i], state);
+				page.let_last(indices[i], tip_bend(page.stem_constants(), state), lasting);
 			}
 		}
 		page.set_stems(pushed);

@@ -83,6 +83,7 @@ void MotionPage::add(const MotionPlant *plants, int count) {
 	const int before = size();
 	ahead.forget();
 	rows.reserve(before + count);
+	lasting.resize(before + count);
 	pairs.resize(has_bends() ? 2 * static_cast<std::size_t>(before + count) : 0);
 	second_pairs.resize(has_room_for_second() ? pairs.size() : 0);
 	for (int i = before; i < before + count; i++) {
@@ -137,7 +138,9 @@ void MotionPage::set_rests(int first, const glm::vec3 *rests, int count) {
 }
 
 void MotionPage::settle(int index) {
-	const glm::vec3 calm = rest(index);
+	const glm::vec2 bend = lasting.at(index);
+	const glm::vec3 calm =
+			bend == glm::vec2(0.0f) ? rest(index) : turned(from_stereographic(bend), rest_bend(index));
 	set_state(index, { calm, {} });
 	set_before(index, calm);
 }
@@ -153,6 +156,7 @@ void MotionPage::drop(int index) {
 		return;
 	}
 	column(LENGTH)[index] = 0.0f;
+	lasting.set(index, { 0.0f, 0.0f });
 	settle(index);
 	gone++;
 }
@@ -161,6 +165,8 @@ void MotionPage::remove(int index) {
 	gone -= is_gone(index) ? 1 : 0;
 	const std::size_t last = static_cast<std::size_t>(size()) - 1;
 	ahead.forget();
+	lasting.set(index, lasting.at(static_cast<int>(last)));
+	lasting.resize(static_cast<int>(last));
 	rows.remove_row(index);
 	if (is_graded()) {
 		owns[static_cast<std::size_t>(index)] = owns.back();
@@ -210,6 +216,7 @@ void MotionPage::set_species(const MotionSpecies &species) {
 /// Converts the columns to another law; the motion of tips continues.
 void MotionPage::change_columns(const MotionSpecies &species) {
 	const bool keeps_rests = species.law == kind.law;
+	lasting = species.law == Law::stem ? std::move(lasting) : LastingBends();
 	std::vector<TipState> states;
 	std::vector<glm::vec3> last, rests;
 	for (int i = 0; i < size(); i++) {
@@ -320,7 +327,7 @@ void MotionPage::update_box() {
 std::size_t MotionPage::bytes() const {
 	return rows.bytes() + blocks.capacity() * sizeof(BlockBox) +
 			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + owns.capacity() * sizeof(OwnStem) +
-			ahead.bytes() + sizeof(MotionPage);
+			ahead.bytes() + lasting.bytes() + sizeof(MotionPage);
 }
 
 /// Moves a state to another rest direction, at the same distance from it in the plane of the spring law.
@@ -513,6 +520,7 @@ void MotionPage::transfer_motion(int index, const MotionPage &other, int from) {
 	}
 	const glm::vec3 was = other.rest(from);
 	const glm::vec3 is = rest(index);
+	set_lasting_bend(index, other.lasting_bend(from));
 	if (kind.law == Law::stem && other.kind.law == Law::stem && kind.stem.modes == other.kind.stem.modes) {
 		set_stem(index, other.stem(from)); // Relative to its own rest.
 	} else {
@@ -607,6 +615,26 @@ void MotionPage::move_tip(int index, const glm::vec3 &way, const glm::vec3 &fast
 	push_stem(kind.stem, moved, 1.0f, turned(way, back), scale);
 	apply_stem_impulse(kind.stem, moved, 1.0f, turned(faster * stem_mass(kind.stem, 1.0f), back), scale);
 	set_stem(index, moved);
+}
+
+void MotionPage::set_lasting_bend(int index, const glm::vec2 &bend) {
+	if (is_swinging && kind.law == Law::stem && bend != lasting.at(index)) {
+		lasting.make_room(size());
+		lasting.set(index, bend);
+	}
+}
+
+void MotionPage::let_last(int index, const glm::vec2 &bend, float share) {
+	const glm::vec2 now = lasting.at(index);
+	lasting.set(index, now + share * (bend - now));
+}
+
+void MotionPage::make_room_for_lasting_bends(bool is_pushed) {
+	if (is_pushed && kind.trampling.share > 0.0f && is_swinging && kind.law == Law::stem) {
+		lasting.make_room(size());
+	} else if (lasting.has_room() && !lasting.is_any()) {
+		lasting = LastingBends();
+	}
 }
 
 void MotionPage::apply_impulse_at(int index, int joint, const glm::vec3 &impulse) {

@@ -4,6 +4,7 @@
 #include "motion/columns.hpp"
 #include "motion/joint_constants.hpp"
 #include "motion/kernel_tables.hpp"
+#include "motion/lasting_bends.hpp"
 #include "motion/motion_species.hpp"
 #include "motion/stem_impulses.hpp"
 #include "motion/stem_step.hpp"
@@ -159,6 +160,16 @@ public:
 	/// The second mode's part of the tip's bend at `alpha` of the last step, for pages with directions: a vector across
 	/// the rest direction, in the directions' axes.
 	glm::vec3 second_bend(int index, float alpha) const;
+	/// Stem law: lasting bend of a plant (LastingBends). Bodies leave them where species have Trampling and the page has
+	/// room; a set bend makes room. The plant swings to it.
+	glm::vec2 lasting_bend(int index) const { return lasting.at(index); }
+	void set_lasting_bend(int index, const glm::vec2 &bend);
+	/// Moves a lasting bend by `share` of the way to `bend`.
+	void let_last(int index, const glm::vec2 &bend, float share);
+	bool has_lasting_bends() const { return lasting.is_any(); }
+	/// Makes room for the lasting bends that `is_pushed` plants may get in the next steps, or frees what is unused.
+	void make_room_for_lasting_bends(bool is_pushed);
+	const Trampling &trampling() const { return kind.trampling; }
 	/// Stem law: moves a tip by `way` (m) and changes its velocity by `faster` (m/s), as far as they are across the
 	/// stem.
 	void move_tip(int index, const glm::vec3 &way, const glm::vec3 &faster);
@@ -167,7 +178,7 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. The root resists
 	/// the part along the stem, so a blow upwards straightens a bent plant and does not move an upright one.
 	void apply_impulse(int index, const glm::vec3 &impulse);
-	/// Sets all plants to rest, including their last drawn pose.
+	/// Sets all plants to rest, or to their lasting bends, including their last drawn pose.
 	void settle();
 	/// Reserves room for `plants` in total; add() does not allocate up to that number.
 	void reserve(int plants);
@@ -262,6 +273,7 @@ private:
 	std::vector<Bend> pairs;
 	std::vector<Bend> second_pairs;
 	AirAhead ahead;
+	LastingBends lasting;
 
 	float *column(int which) { return rows.column(which); }
 	const float *column(int which) const { return rows.column(which); }
@@ -290,6 +302,7 @@ private:
 	float quickest_swing() const;
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void settle(int index);
+	void add_lasting_bends(const KernelSet &set, int begin, int count);
 	void grow_box(int index, bool is_first);
 	void grow_block(int index, const glm::vec3 &low, const glm::vec3 &high);
 	void update_box();

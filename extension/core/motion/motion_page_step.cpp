@@ -193,6 +193,32 @@ void MotionPage::sample_air_ahead(
 	ahead.prepare(wind, along, moment, step_time, turn, plants, level);
 }
 
+/// A mode's step is linear in its distance from the equilibrium, so a lasting bend, which moves the equilibrium, adds its
+/// own part after the kernel.
+void MotionPage::add_lasting_bends(const KernelSet &set, int begin, int count) {
+	for (int row = begin; row < begin + count; row += LastingBends::BLOCK) {
+		const int some = std::min(LastingBends::BLOCK, begin + count - row);
+		if (!lasting.is_any(row, some)) {
+			continue;
+		}
+		const StemPage block = stem_page(row);
+		for (int i = 0; i < some; i++) {
+			glm::vec2 calm[MAX_STEM_MODES];
+			divide_tip(kind.stem, lasting.at(row + i), calm);
+			for (int k = 0; k < kind.stem.modes; k++) {
+				const StemModeStep &mode = block.step.mode[k];
+				const float place = block.dead_ease ? block.by_height[k][0][i] : mode.place_from_place;
+				const float rate = block.dead_ease ? block.by_height[k][2][i] : mode.rate_from_place;
+				block.x[k][i] = std::clamp(block.x[k][i] - place * calm[k].x, -MAX_STEM_AMPLITUDE, MAX_STEM_AMPLITUDE);
+				block.z[k][i] = std::clamp(block.z[k][i] - place * calm[k].y, -MAX_STEM_AMPLITUDE, MAX_STEM_AMPLITUDE);
+				block.rate_x[k][i] -= rate * calm[k].x;
+				block.rate_z[k][i] -= rate * calm[k].y;
+			}
+		}
+		set.lift_stems(block, some);
+	}
+}
+
 void MotionPage::step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air) {
 	Bend *block_pairs = keeps_directions ? nullptr : pairs.data() + 2 * static_cast<std::size_t>(begin);
 	if (kind.law == Law::elasticity) {
@@ -204,6 +230,9 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 	} else if (kind.law == Law::stem) {
 		const StemPage block = stem_page(begin);
 		set.step_stem(block, count, winds, air);
+		if (lasting.is_any()) {
+			add_lasting_bends(set, begin, count);
+		}
 		if (easing > 0.0f && modes() == 2) {
 			ease_modes(begin, count);
 		}
@@ -243,6 +272,9 @@ void MotionPage::step(const WindSnapshot &wind, const PlantWinds &along, SimdLev
 		step_block(set, begin, count, winds, air);
 	}
 	easing = 0.0f;
+	if (lasting.is_any()) {
+		lasting.shrink(kind.trampling.kept(step_time));
+	}
 }
 
 void MotionPage::interpolate(float alpha, glm::vec3 *out) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "motion/joint.hpp"
+#include "motion/lasting_bends.hpp"
 #include "stem/stem_constants.hpp"
 
 #include <glm/vec3.hpp>
@@ -13,6 +14,7 @@ struct MotionSpecies {
 	Joint joint; ///< `length` and `rest` are per plant and unused here. Stems use only `above_ground`.
 	StemConstants stem; ///< Stem law.
 	float collision_radius = 0.05f; ///< m, of the sphere at a tip.
+	Trampling trampling; ///< Stem law.
 	float canopy_height = 0.0f; ///< m, canopy that shelters its plants; 0: isolated plants.
 	// For prototypes only, which represent all plants of the species.
 	float shortest = 0.5f; ///< m; of all, where air is sampled ahead.

@@ -63,7 +63,10 @@ void PlantBodies::push() {
 	for (Reading &reading : readings) {
 		for (PlantGroup *group : reading.groups) {
 			const PageFrame frame = { group->turned_axes(), group->roots.velocities() };
-			for (const MovingBody &shape : *reading.shapes) {
+			const std::vector<MovingBody> &shapes = *reading.shapes;
+			group->page.make_room_for_lasting_bends(std::any_of(shapes.begin(), shapes.end(),
+					[group](const MovingBody &shape) { return boxes_overlap(group->page, shape); }));
+			for (const MovingBody &shape : shapes) {
 				push_plants(group->page, shape, frame);
 			}
 		}
