@@ -138,14 +138,13 @@ void MotionPage::set_rests(int first, const glm::vec3 *rests, int count) {
 }
 
 void MotionPage::settle(int index) {
-	const glm::vec2 bend = lasting.at(index);
-	const glm::vec3 calm =
-			bend == glm::vec2(0.0f) ? rest(index) : turned(from_stereographic(bend), rest_bend(index));
+	const glm::vec3 calm = rest(index);
 	set_state(index, { calm, {} });
 	set_before(index, calm);
 }
 
 void MotionPage::settle() {
+	lasting = LastingBends();
 	for (int i = 0; i < size(); i++) {
 		settle(i);
 	}

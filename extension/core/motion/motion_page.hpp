@@ -178,7 +178,7 @@ public:
 	/// A blow on the tip (N·s): changes the velocity by impulse/mass, along the sphere. The root resists
 	/// the part along the stem, so a blow upwards straightens a bent plant and does not move an upright one.
 	void apply_impulse(int index, const glm::vec3 &impulse);
-	/// Sets all plants to rest, or to their lasting bends, including their last drawn pose.
+	/// Sets all plants to rest, without lasting bends, including their last drawn pose.
 	void settle();
 	/// Reserves room for `plants` in total; add() does not allocate up to that number.
 	void reserve(int plants);

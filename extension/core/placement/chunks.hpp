@@ -1,6 +1,7 @@
 #pragma once
 
 #include "placement/area.hpp"
+#include "placement/plant_id.hpp"
 #include "placement/plants.hpp"
 
 #include <glm/vec3.hpp>
@@ -42,7 +43,7 @@ struct PlantChunk {
 	bool is_new = false; ///< Plants that a stroke or a path added to a built field; it grows.
 	double spacing = 0.0; ///< m, of the placement that gives the ids; 0 for added plants.
 	FieldPlants plants; ///< Generated plants are ordered by variant. A scale of 0 marks a removed plant.
-	std::vector<int64_t> ids; ///< Ids of added plants; ids of generated plants follow from their position.
+	std::vector<PlantId> ids; ///< Ids of added plants; ids of generated plants follow from their position.
 	int gone = 0;
 	glm::vec3 low = { 0.0f, 0.0f, 0.0f }; ///< m, bounding box of all roots.
 	glm::vec3 high = { 0.0f, 0.0f, 0.0f };
@@ -55,6 +56,10 @@ struct PlantChunk {
 	glm::vec3 root(int slot) const {
 		const auto at = static_cast<std::size_t>(slot);
 		return { plants.x[at], plants.y[at], plants.z[at] };
+	}
+	PlantId id(int slot) const {
+		const auto at = static_cast<std::size_t>(slot);
+		return is_added ? ids[at] : generated_plant_id(plants.x[at], plants.z[at], spacing);
 	}
 	/// Appends a valid plant and extends the box.
 	void add(const PlacedPlant &plant);

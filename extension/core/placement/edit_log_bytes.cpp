@@ -1,5 +1,10 @@
 #include "placement/edit_log_bytes.hpp"
 
+#include "base/portable_math.hpp"
+#include "conventions.hpp"
+
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,8 +14,9 @@ namespace undergrowth {
 namespace {
 
 constexpr char LETTERS[] = "UGSC";
-constexpr uint32_t VERSION = 2;
 constexpr uint32_t WITHOUT_SEED = 1;
+constexpr uint32_t WITH_SEED = 2;
+constexpr uint32_t WITH_TRODDEN = 3;
 constexpr int SEED_BYTES = 8;
 constexpr float SHARE_CODES = 65535.0f;
 constexpr double MIN_SPACING = 1.0e-3; ///< m.
@@ -31,6 +37,12 @@ public:
 		put_count(to, static_cast<uint64_t>(id - std::exchange(last, id)));
 	}
 	PlantId read(ByteReader &from, bool are_added) {
+		if (is_added(read(from)) != are_added) {
+			from.fail();
+		}
+		return last;
+	}
+	PlantId read(ByteReader &from) {
 		const uint64_t way = from.count();
 		const uint64_t max = static_cast<uint64_t>(added_plant_id(MAX_NUMBER) - last);
 		if (way > max || (way == 0 && last != 0)) {
@@ -38,9 +50,6 @@ public:
 			return 0;
 		}
 		last += static_cast<PlantId>(way);
-		if (is_added(last) != are_added) {
-			from.fail();
-		}
 		return last;
 	}
 
@@ -90,6 +99,44 @@ void put_added(std::vector<uint8_t> &bytes, const SavedEdits &saved) {
 		}
 		put_number(bytes, codes.variant[0], 1);
 		put_number(bytes, code_of_share(saved.edits.share_of(one.id, 0.0f, 0.0f)), 2);
+	}
+}
+
+uint64_t angle_code(const glm::vec2 &bend) {
+	const double turns = portable_atan2(static_cast<double>(bend.y), static_cast<double>(bend.x)) / (2.0 * PI);
+	return static_cast<uint64_t>(static_cast<int64_t>(std::floor(256.0 * turns + 0.5))) & 0xff;
+}
+
+/// At least 1, since a bend of length 0 would not be trodden.
+uint64_t length_code(const glm::vec2 &bend) {
+	const float share = glm::length(bend) / MAX_TRODDEN_BEND;
+	return static_cast<uint64_t>(std::clamp(std::ceil(256.0f * share - 0.5f), 1.0f, 256.0f)) - 1;
+}
+
+glm::vec2 bend_of_codes(uint64_t angle, uint64_t length) {
+	const SineAndCosine way = portable_sine_and_cosine(2.0 * PI * static_cast<double>(angle) / 256.0);
+	const float size = MAX_TRODDEN_BEND * static_cast<float>(length + 1) / 256.0f;
+	return size * glm::vec2(static_cast<float>(way.cosine), static_cast<float>(way.sine));
+}
+
+void put_trodden(std::vector<uint8_t> &bytes, const SavedEdits &saved) {
+	std::vector<TroddenPlant> trodden = saved.trodden;
+	std::sort(trodden.begin(), trodden.end(), [](const TroddenPlant &a, const TroddenPlant &b) { return a.id < b.id; });
+	put_count(bytes, trodden.size());
+	NameRun names;
+	for (const TroddenPlant &plant : trodden) {
+		names.put(bytes, plant.id);
+		put_number(bytes, angle_code(plant.bend), 1);
+		put_number(bytes, length_code(plant.bend), 1);
+	}
+}
+
+void read_trodden(ByteReader &from, SavedEdits &saved) {
+	NameRun names;
+	for (uint64_t left = from.count(); left > 0 && from.is_sound(); left--) {
+		const PlantId id = names.read(from);
+		const uint64_t angle = from.number(1);
+		saved.trodden.push_back({ id, bend_of_codes(angle, from.number(1)) });
 	}
 }
 
@@ -162,7 +209,9 @@ const char *describe_edits_fault(BytesFault fault) {
 }
 
 std::vector<uint8_t> write_edits(const SavedEdits &saved) {
-	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, saved.seed ? VERSION : WITHOUT_SEED);
+	const bool has_trodden = saved.seed && !saved.trodden.empty();
+	const uint32_t version = saved.seed ? WITH_SEED : WITHOUT_SEED;
+	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, has_trodden ? WITH_TRODDEN : version);
 	if (saved.seed) {
 		put_number(bytes, static_cast<uint64_t>(*saved.seed), SEED_BYTES);
 	}
@@ -176,21 +225,27 @@ std::vector<uint8_t> write_edits(const SavedEdits &saved) {
 		put_text(bytes, name);
 	}
 	put_added(bytes, saved);
+	if (has_trodden) {
+		put_trodden(bytes, saved);
+	}
 	ByteFrame::seal(bytes);
 	return bytes;
 }
 
 BytesFault read_edits(const uint8_t *bytes, std::size_t count, SavedEdits &edits) {
-	const bool has_seed = ByteFrame::check(LETTERS, WITHOUT_SEED, bytes, count) == BytesFault::later_version;
-	const BytesFault fault =
-			count == 0 ? BytesFault::none : ByteFrame::check(LETTERS, has_seed ? VERSION : WITHOUT_SEED, bytes, count);
+	uint32_t version = WITHOUT_SEED;
+	while (version < WITH_TRODDEN &&
+			ByteFrame::check(LETTERS, version, bytes, count) == BytesFault::later_version) {
+		version++;
+	}
+	const BytesFault fault = count == 0 ? BytesFault::none : ByteFrame::check(LETTERS, version, bytes, count);
 	if (fault != BytesFault::none) {
 		return fault;
 	}
 	SavedEdits made;
 	if (count > 0) {
 		ByteReader from = ByteFrame::inside(bytes, count);
-		if (has_seed) {
+		if (version >= WITH_SEED) {
 			made.seed = static_cast<int64_t>(from.number(SEED_BYTES));
 		}
 		for (uint64_t left = from.count(); left > 0 && from.is_sound(); left--) {
@@ -200,6 +255,9 @@ BytesFault read_edits(const uint8_t *bytes, std::size_t count, SavedEdits &edits
 			made.species.push_back(from.text());
 		}
 		read_added(from, made);
+		if (version >= WITH_TRODDEN) {
+			read_trodden(from, made);
+		}
 		if (!from.is_sound() || from.rest() != 0) {
 			return BytesFault::torn;
 		}

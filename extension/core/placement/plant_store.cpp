@@ -458,12 +458,7 @@ std::vector<PlantRef> PlantStore::find_all(const std::vector<PlantId> &ids) cons
 }
 
 PlantId PlantStore::id(const PlantRef &place) const {
-	const PlantChunk &there = chunk(place.chunk);
-	if (there.is_added) {
-		return there.ids[static_cast<std::size_t>(place.slot)];
-	}
-	const glm::vec3 root = there.root(place.slot);
-	return generated_plant_id(root.x, root.z, there.spacing);
+	return chunk(place.chunk).id(place.slot);
 }
 
 /// All chunk numbers. Those of generated plants are in the order in which cut_into_chunks() makes them for a whole

@@ -25,6 +25,8 @@ struct Motion {
 	float drag_area = -1.0f; ///< m², drag coefficient included; below 0: from wind_weight.
 	float lean = 0.0f; ///< Spring and stem laws: rad from upright to the rest direction, below π/2.
 	float collision_radius = 0.05f; ///< m, of the sphere at the tip.
+	float trampling = 0.0f; ///< Stem law: part of a bend under a body that lasts (Trampling in motion/).
+	float recovery_time = 300.0f; ///< Stem law, s.
 };
 
 } // namespace undergrowth

@@ -62,6 +62,7 @@ double FieldRuntime::advance(double delta, bool simulates) {
 		now.cameras = find_camera_positions(node);
 	}
 	const bool is_seen = node->is_visible_in_tree();
+	trampling.advance(simulates ? delta : 0.0);
 	if (own_edits.grow_back(delta * properties.regrowth_rate, store, setup, motion)) {
 		is_unshown = true;
 	}
@@ -199,7 +200,9 @@ ChangeSet FieldRuntime::apply(StoreEdit &&edit, ArrivingChunks *arriving) {
 	ChangeSet changes = store.apply(std::move(edit));
 	skeletons.follow(changes);
 	std::for_each(changes.dropped.begin(), changes.dropped.end(), [this](int chunk) { view.drop_new_chunk(chunk); });
+	trampling.leave(changes, setup, motion);
 	motion.apply(changes, store, setup, arriving);
+	trampling.arrive(changes, store, motion);
 	own_edits.follow(changes, store, setup, motion);
 	tiles.follow(changes, store);
 	for (const ChangeSet::Grown &grown : changes.grown) {
@@ -282,6 +285,7 @@ void FieldRuntime::show_soon() {
 void FieldRuntime::settle() {
 	if (motion.is_ready()) {
 		motion.settle();
+		trampling.forget_absent();
 		refresh();
 		skeletons.pose(store, motion);
 	}

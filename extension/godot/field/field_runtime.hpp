@@ -8,6 +8,7 @@
 #include "field/build/ground_sampler.hpp"
 #include "field/build/species_sampler.hpp"
 #include "field/field_edits.hpp"
+#include "field/field_trampling.hpp"
 #include "field/motion/field_motion.hpp"
 #include "field/view/field_materials.hpp"
 #include "field/view/listed_styles.hpp"
@@ -152,6 +153,7 @@ public:
 	FieldRenderSetup setup;
 	SkeletonView skeletons;
 	FieldEdits own_edits; ///< By code.
+	FieldTrampling trampling;
 	int64_t seed() const { return properties.seed; }
 	DirtyTiles tiles;
 	FrameCost build_cost; ///< Time of this thread for builds.

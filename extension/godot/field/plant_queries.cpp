@@ -279,6 +279,7 @@ PackedByteArray PlantQueries::changes() const {
 	saved.edits = runtime.own_edits.known();
 	saved.seed = runtime.seed();
 	saved.added = added_plants(runtime.store);
+	saved.trodden = runtime.trampling.all(runtime.store, runtime.setup, runtime.motion);
 	std::vector<int> numbers(runtime.setup.styles.size(), -1);
 	for (AddedPlant &one : saved.added) {
 		int &species = numbers[size_t(one.plant.species)];
@@ -360,6 +361,7 @@ bool PlantQueries::apply_changes(const PackedByteArray &bytes) {
 		}
 	}
 	runtime.remove(std::move(gone));
+	runtime.trampling.replace(saved.trodden, runtime.store, runtime.setup, runtime.motion);
 	runtime.grow_again(before.gone_beside(now));
 	runtime.show_soon();
 	return true;
@@ -592,6 +594,27 @@ int PlantQueries::apply_blast(const Vector3 &center, double radius, double impul
 		runtime.motion.apply_impulse(place, to_glm(to_field.xform(aside * float(impulse * share))));
 	}
 	return int(places.size());
+}
+
+// A plant at the centre falls along the x axis.
+int PlantQueries::trample_in_sphere(const Vector3 &center, double radius, double angle) {
+	static constexpr double MAX_ANGLE = 0.5 * PI;
+	if (!(angle >= 0.0 && angle <= MAX_ANGLE)) {
+		report_error(node, "trample_in_sphere() needs an angle from 0 to PI / 2, in radians.");
+		return 0;
+	}
+	const std::vector<PlantRef> places = in_sphere("trample_in_sphere", center, radius);
+	const Transform3D placed = places.empty() ? Transform3D() : axes_of(node);
+	const Basis to_field = placed.basis.inverse();
+	int trodden = 0;
+	for (const PlantRef &place : places) {
+		const Vector3 way = placed.xform(to_godot(runtime.store.chunk(place.chunk).root(place.slot))) - center;
+		const Vector3 level = Vector3(way.x, 0.0f, way.z);
+		const Vector3 aside = level.is_zero_approx() ? Vector3(1.0f, 0.0f, 0.0f) : level.normalized();
+		const Vector3 tip = aside * float(std::sin(angle)) + Vector3(0.0f, float(std::cos(angle)), 0.0f);
+		trodden += runtime.motion.trample(place, to_glm(to_field.xform(tip).normalized())) ? 1 : 0;
+	}
+	return trodden;
 }
 
 } // namespace undergrowth

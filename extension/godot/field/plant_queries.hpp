@@ -45,6 +45,9 @@ public:
 	/// Applies impulses away from `center`: `impulse` (N·s) at the centre, decreasing to 0 at `radius` (m). Returns the
 	/// number of plants.
 	int apply_blast(const godot::Vector3 &center, double radius, double impulse);
+	/// Bends all plants in a sphere away from `center`, by `angle` (rad) from upright, lastingly. Returns the number of
+	/// plants.
+	int trample_in_sphere(const godot::Vector3 &center, double radius, double angle);
 	godot::Vector3 tip_position(int64_t id);
 	godot::PackedVector3Array tip_positions(const godot::PackedInt64Array &ids);
 	/// Returns twelve numbers per plant: direction and rate of the tip, and the same of a stem's second mode.
@@ -64,7 +67,7 @@ public:
 
 	/// Mows all plants in a sphere to `height` (m), at most to their full height. Returns the number of changed plants.
 	int set_height_in_sphere(const godot::Vector3 &center, double radius, double height);
-	/// Returns the edits of code (removed, mown and added plants) in the format of write_edits().
+	/// Returns the edits of code (removed, mown and added plants) and the trodden plants in the format of write_edits().
 	godot::PackedByteArray changes() const;
 	/// Replaces all edits by these. Returns false, with one error and no change, if the bytes are not valid.
 	bool apply_changes(const godot::PackedByteArray &bytes);

@@ -241,6 +241,8 @@ void PlantField3D::_bind_methods() {
 	BIND(is_point_in_plants, "point");
 	OF_PLANTS(apply_impulse_in_sphere, apply_impulse_in_sphere, "center", "radius", "impulse");
 	OF_PLANTS(apply_blast, apply_blast, "center", "radius", "impulse");
+	ClassDB::bind_method(D_METHOD("trample_in_sphere", "center", "radius", "angle"),
+			of_plants<&PlantQueries::trample_in_sphere>(&PlantQueries::trample_in_sphere), DEFVAL(1.2));
 	OF_PLANTS(get_tip_position, tip_position, "id");
 	OF_PLANTS(get_tip_positions, tip_positions, "ids");
 	OF_PLANTS(get_motion_state, motion_state, "ids");

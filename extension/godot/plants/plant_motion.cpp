@@ -53,7 +53,8 @@ PlantMotionState PlantMotion::motion_state(const glm::vec3 &rest) const {
 		const StemSecond second = page.second(index());
 		motion_state.second = { from_frame(frame(), second.bend), from_frame(frame(), second.rate) };
 		if (page.law() == Law::stem) {
-			motion_state.stem = { frame(), page.stem_constants().modes, page.stem(index()), page.stem_before(index()) };
+			motion_state.stem = { frame(), page.stem_constants().modes, page.stem(index()), page.stem_before(index()),
+				page.lasting_bend(index()) };
 		}
 		return motion_state;
 	}
@@ -64,6 +65,9 @@ void PlantMotion::set_motion_state(const PlantMotionState &motion_state) {
 	if (PlantGroup *in = group()) {
 		MotionPage &page = in->page;
 		const PlantMotionState::Stem *stem = motion_state.stem ? &*motion_state.stem : nullptr;
+		if (stem && frame() == stem->frame) {
+			page.set_lasting_bend(index(), stem->lasting);
+		}
 		if (stem && page.law() == Law::stem && page.stem_constants().modes == stem->modes && frame() == stem->frame) {
 			page.set_stem(index(), stem->now);
 			page.set_stem_before(index(), stem->before);
@@ -166,6 +170,7 @@ bool PlantMotion::follow(const MovedPlant &moved) {
 void PlantMotion::reset(const glm::vec3 &rest) {
 	if (place.group) {
 		set_motion_state(PlantMotionState::at_rest(rest));
+		place.group->page.set_lasting_bend(index(), { 0.0f, 0.0f });
 	} else {
 		park();
 		parked.reset();

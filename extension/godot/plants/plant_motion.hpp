@@ -27,6 +27,7 @@ struct PlantMotionState {
 		PlantFrame frame;
 		int modes;
 		StemState now, before;
+		glm::vec2 lasting = { 0.0f, 0.0f };
 	};
 
 	TipState now;

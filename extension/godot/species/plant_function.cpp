@@ -29,6 +29,8 @@ static constexpr Range MASS_RANGE = { 1e-6, 1e6 };
 static constexpr Range WIND_WEIGHT_RANGE = { -1.0, 1e3 }; // Below 0: the default weight.
 static constexpr Range DRAG_AREA_RANGE = { -1.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
+static constexpr Range TRAMPLING_RANGE = { 0.0, 1.0 };
+static constexpr Range RECOVERY_RANGE = { 0.1, 1e9 };
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
 
 void PlantFunction::shape_changed() {
@@ -208,6 +210,26 @@ double PlantFunction::get_collision_radius() const {
 	return shortest_decimal(motion.collision_radius);
 }
 
+void PlantFunction::set_trampling(double share) {
+	set_motion(motion.trampling, "trampling", share, TRAMPLING_RANGE);
+}
+
+double PlantFunction::get_trampling() const {
+	return shortest_decimal(motion.trampling);
+}
+
+void PlantFunction::set_recovery_time(double seconds) {
+	set_motion(motion.recovery_time, "recovery_time", seconds, RECOVERY_RANGE);
+}
+
+double PlantFunction::get_recovery_time() const {
+	return shortest_decimal(motion.recovery_time);
+}
+
+Trampling PlantFunction::make_trampling() const {
+	return { motion.trampling, motion.recovery_time };
+}
+
 void PlantFunction::set_shading(ShadingMode shading) {
 	if (shading != SHADING_SMOOTH && shading != SHADING_FLAT) {
 		report_error(
@@ -307,6 +329,8 @@ void PlantFunction::_validate_property(PropertyInfo &property) const {
 		{ "lean", { Law::spring, Law::stem } },
 		{ "mass", { Law::elasticity, Law::spring } },
 		{ "stem", { Law::stem } },
+		{ "trampling", { Law::stem } },
+		{ "recovery_time", { Law::stem } },
 	};
 	const String name = property.name;
 	for (const auto &[of_law, laws] : laws_of) {

@@ -164,6 +164,12 @@ public:
 	double get_drag_area() const;
 	void set_collision_radius(double metres);
 	double get_collision_radius() const;
+	void set_trampling(double share);
+	double get_trampling() const;
+	void set_recovery_time(double seconds);
+	double get_recovery_time() const;
+	/// For the simulation.
+	Trampling make_trampling() const;
 	void set_shading(ShadingMode shading);
 	ShadingMode get_shading() const;
 	void set_shape_deviation(double deviation);

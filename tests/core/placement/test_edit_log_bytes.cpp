@@ -5,6 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -12,6 +15,7 @@ using namespace undergrowth;
 
 namespace {
 
+constexpr float BEND_TOLERANCE = 0.02f; // Angles have 256 codes, lengths too.
 constexpr std::size_t REMOVED_BYTES = 16;
 constexpr uint64_t GOLDEN_BYTES = 11769555693119934671ull;
 
@@ -82,6 +86,61 @@ TEST_CASE("edits of the first version, without a seed, are read") {
 	CHECK(!back.seed);
 	CHECK(back.edits.is_gone(-25.0f, 3.0f));
 	CHECK(write_edits(back) == bytes);
+}
+
+TEST_CASE("trodden plants are written with their bends, and bytes without them are those of the second version") {
+	SavedEdits saved = sample();
+	CHECK(write_edits(saved)[4] == 2);
+	for (int i = 0; i < 300; i++) {
+		const float angle = 0.021f * static_cast<float>(i) - 3.1f;
+		const float size = 0.003f + 0.0033f * static_cast<float>(i);
+		const PlantId id = i % 5 == 0 ? added_plant_id(i) : generated_plant_id(static_cast<float>(i), 3.0f, 0.5);
+		saved.trodden.push_back({ id, size * glm::vec2(std::cos(angle), std::sin(angle)) });
+	}
+	const std::vector<uint8_t> bytes = write_edits(saved);
+	CHECK(bytes[4] == 3);
+	SavedEdits back;
+	REQUIRE(read(bytes, back) == BytesFault::none);
+	REQUIRE(back.trodden.size() == saved.trodden.size());
+	for (const TroddenPlant &plant : back.trodden) {
+		const auto same = std::find_if(saved.trodden.begin(), saved.trodden.end(),
+				[&](const TroddenPlant &one) { return one.id == plant.id; });
+		REQUIRE(same != saved.trodden.end());
+		CHECK(glm::length(plant.bend - same->bend) <= MAX_TRODDEN_BEND * BEND_TOLERANCE);
+	}
+	CHECK(write_edits(back) == bytes);
+	CHECK(back.added.size() == saved.added.size());
+	std::vector<uint8_t> cut(bytes.begin(), bytes.end() - 1);
+	CHECK(read(cut, back) == BytesFault::torn);
+	for (std::size_t i = 10; i + 4 < bytes.size(); i += 7) { // No damage is worse than other edits.
+		std::vector<uint8_t> damaged = bytes;
+		damaged[i] ^= 0x55;
+		reseal(damaged);
+		SavedEdits any;
+		read(damaged, any);
+		for (const TroddenPlant &plant : any.trodden) {
+			CHECK(glm::length(plant.bend) <= MAX_TRODDEN_BEND * 1.001f);
+		}
+	}
+}
+
+TEST_CASE("a trodden plant on a path needs at most 4 bytes") {
+	const PlacementRequest request = square_field(50.0f, 20.0f, 2);
+	const double spacing = Placement(request).cell_size();
+	const FieldPlants plants = placed(request);
+	SavedEdits saved;
+	saved.seed = 1;
+	const std::size_t nothing = write_edits(saved).size();
+	for (std::size_t i = 0; i < plants.x.size(); i++) {
+		const float across = plants.x[i] - 0.6f * plants.z[i];
+		if (std::fabs(across) < 0.4f) {
+			saved.trodden.push_back({ generated_plant_id(plants.x[i], plants.z[i], spacing), { 0.5f, across } });
+		}
+	}
+	REQUIRE(saved.trodden.size() > 500);
+	const double share = static_cast<double>(write_edits(saved).size() - nothing) / static_cast<double>(saved.trodden.size());
+	MESSAGE("bytes of a trodden plant: ", share);
+	CHECK(share <= 4.0);
 }
 
 TEST_CASE("regrown plants are not written, and heights are the current ones") {
@@ -157,7 +216,7 @@ TEST_CASE("bytes that are truncated, of a later release or of another kind are r
 		read(damaged, other);
 	}
 	std::vector<uint8_t> later = bytes;
-	later[4] = 3;
+	later[4] = 4;
 	reseal(later);
 	CHECK(read(later, kept) == BytesFault::later_version);
 	CHECK(read({ 'U', 'G', 'D', 'M', 1, 0, 14, 0, 0, 0, 0, 0, 0, 0 }, kept) == BytesFault::other_kind);

@@ -319,6 +319,35 @@ void FieldMotion::write_state(const PlantRef &ref, const MotionState &state) {
 	simulation->set_state(rows_of(ref.chunk).page, row_of(ref), state.tip, state.second);
 }
 
+std::vector<glm::vec2> FieldMotion::blocking_read_lasting_bends(int chunk) {
+	wait();
+	const PageRows own = size_t(chunk) < rows.size() ? rows_of(chunk) : PageRows();
+	std::vector<glm::vec2> bends;
+	if (own.page >= 0 && simulation->page(own.page).has_lasting_bends()) {
+		for (int row = own.first; row < own.first + own.count; row++) {
+			bends.push_back(simulation->lasting_bend(own.page, row));
+		}
+	}
+	return bends;
+}
+
+void FieldMotion::set_lasting_bend(const PlantRef &ref, const glm::vec2 &bend) {
+	wait();
+	simulation->set_lasting_bend(rows_of(ref.chunk).page, row_of(ref), bend);
+}
+
+bool FieldMotion::trample(const PlantRef &ref, const glm::vec3 &direction) {
+	wait();
+	MotionPage &page = simulation->page(rows_of(ref.chunk).page);
+	if (!page.swings() || page.law() != Law::stem) {
+		return false;
+	}
+	const glm::vec2 bend = stereographic(encode_bend(direction));
+	const bool is_upright = bend == glm::vec2(0.0f);
+	page.set_lasting_bend(row_of(ref), is_upright ? bend : into_rest(bend, page.rest_bend(row_of(ref))));
+	return true;
+}
+
 void FieldMotion::apply_impulse(const PlantRef &ref, const glm::vec3 &impulse) {
 	wait();
 	is_transferred = false;

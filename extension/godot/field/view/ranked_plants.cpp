@@ -19,9 +19,7 @@ static constexpr float PARTS_WIDENING = 1.25f;
 static constexpr int HALF_RANKS = 1 << (RANK_BITS / 2);
 
 static int rank_of(const PlantChunk &chunk, int slot) {
-	const glm::vec3 root = chunk.root(slot);
-	const PlantId id = chunk.is_added ? chunk.ids[size_t(slot)] : generated_plant_id(root.x, root.z, chunk.spacing);
-	return int(plant_rank(id) * float(RANK_COUNT));
+	return int(plant_rank(chunk.id(slot)) * float(RANK_COUNT));
 }
 
 static DrawnPlant drawn_plant(const FieldRenderSetup &setup, const DrawnChunk &drawn, int slot) {

@@ -302,6 +302,7 @@ void SpeciesStyle::read_traits() {
 	motion.law = Law(int(function->get_law()));
 	motion.joint = function->make_joint(Basis());
 	motion.collision_radius = float(function->get_collision_radius());
+	motion.trampling = function->make_trampling();
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
 	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].grown);
 	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;
