@@ -625,7 +625,9 @@ void MotionPage::set_lasting_bend(int index, const glm::vec2 &bend) {
 
 void MotionPage::let_last(int index, const glm::vec2 &bend, float share) {
 	const glm::vec2 now = lasting.at(index);
-	lasting.set(index, now + share * (bend - now));
+	if (glm::dot(bend, bend) > glm::dot(now, now)) { // A body that leaves lets plants rise, which undoes nothing.
+		lasting.set(index, now + share * (bend - now));
+	}
 }
 
 void MotionPage::make_room_for_lasting_bends(bool is_pushed) {

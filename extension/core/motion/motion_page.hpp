@@ -164,7 +164,7 @@ public:
 	/// room; a set bend makes room. The plant swings to it.
 	glm::vec2 lasting_bend(int index) const { return lasting.at(index); }
 	void set_lasting_bend(int index, const glm::vec2 &bend);
-	/// Moves a lasting bend by `share` of the way to `bend`.
+	/// Moves a lasting bend by `share` of the way to `bend`, if that is longer.
 	void let_last(int index, const glm::vec2 &bend, float share);
 	bool has_lasting_bends() const { return lasting.is_any(); }
 	/// Makes room for the lasting bends that `is_pushed` plants may get in the next steps, or frees what is unused.
