@@ -297,9 +297,9 @@ void FieldSimulation::begin_pages() {
 }
 
 void FieldSimulation::make_room_for_lasting_bends(MotionPage &page) const {
-	if (page.trampling().share > 0.0f || page.has_lasting_bends()) {
-		page.make_room_for_lasting_bends(std::any_of(pushing.begin(), pushing.end(),
-				[&page](const MovingBody &body) { return boxes_overlap(page, body); }));
+	if (page.trampling().share > 0.0f || page.trampling().yield > 0.0f) {
+		page.make_room_for_lasting_bends(std::any_of(
+				pushing.begin(), pushing.end(), [&page](const MovingBody &body) { return boxes_overlap(page, body); }));
 	}
 }
 

@@ -12,8 +12,11 @@ struct Trampling {
 	static constexpr float CONTACT = 0.5f; ///< s.
 	float share = 0.0f; ///< 0 to 1: part of a bend that lasts after a body has held it for CONTACT.
 	float recovery = 300.0f; ///< s, > 0: time in which a lasting bend falls to 37 %.
+	float yield = 0.0f; ///< Bend of the tip from the lasting one beyond which everything lasts (lodging); 0: none.
 
-	bool operator==(const Trampling &other) const { return share == other.share && recovery == other.recovery; }
+	bool operator==(const Trampling &other) const {
+		return share == other.share && recovery == other.recovery && yield == other.yield;
+	}
 	/// Part of the way to the present bend that a lasting bend goes in `seconds` of contact.
 	float approach(float seconds) const;
 	/// Part of a lasting bend that `seconds` leave.

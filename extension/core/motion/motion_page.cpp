@@ -631,7 +631,9 @@ void MotionPage::let_last(int index, const glm::vec2 &bend, float share) {
 }
 
 void MotionPage::make_room_for_lasting_bends(bool is_pushed) {
-	if (is_pushed && kind.trampling.share > 0.0f && is_swinging && kind.law == Law::stem) {
+	const bool may_last = has_yielded || (is_pushed && kind.trampling.share > 0.0f);
+	has_yielded = false;
+	if (may_last && is_swinging && kind.law == Law::stem) {
 		lasting.make_room(size());
 	} else if (lasting.has_room() && !lasting.is_any()) {
 		lasting = LastingBends();

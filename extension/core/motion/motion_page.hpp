@@ -160,14 +160,15 @@ public:
 	/// The second mode's part of the tip's bend at `alpha` of the last step, for pages with directions: a vector across
 	/// the rest direction, in the directions' axes.
 	glm::vec3 second_bend(int index, float alpha) const;
-	/// Stem law: lasting bend of a plant (LastingBends). Bodies leave them where species have Trampling and the page has
-	/// room; a set bend makes room. The plant swings to it.
+	/// Stem law: lasting bend of a plant (LastingBends). Bodies leave them where species have Trampling and the page
+	/// has room; a set bend makes room. The plant swings to it.
 	glm::vec2 lasting_bend(int index) const { return lasting.at(index); }
 	void set_lasting_bend(int index, const glm::vec2 &bend);
 	/// Moves a lasting bend by `share` of the way to `bend`, if that is longer.
 	void let_last(int index, const glm::vec2 &bend, float share);
 	bool has_lasting_bends() const { return lasting.is_any(); }
-	/// Makes room for the lasting bends that `is_pushed` plants may get in the next steps, or frees what is unused.
+	/// Makes room for the lasting bends that plants may get in the next steps, if bodies push them (`is_pushed`) or if
+	/// the last step bent one beyond Trampling::yield. Frees unused room.
 	void make_room_for_lasting_bends(bool is_pushed);
 	const Trampling &trampling() const { return kind.trampling; }
 	/// Stem law: moves a tip by `way` (m) and changes its velocity by `faster` (m/s), as far as they are across the
@@ -255,6 +256,7 @@ private:
 	float step_time; ///< s.
 	int gone = 0;
 	bool was_moved = false;
+	bool has_yielded = false; ///< A stem without room for its lasting bend.
 	float easing = 0.0f; ///< For the next step.
 	TallerPlants taller;
 	MotionSpecies kind;
@@ -303,6 +305,7 @@ private:
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void settle(int index);
 	void add_lasting_bends(const KernelSet &set, int begin, int count);
+	void lodge(int begin, int count);
 	void grow_box(int index, bool is_first);
 	void grow_block(int index, const glm::vec3 &low, const glm::vec3 &high);
 	void update_box();

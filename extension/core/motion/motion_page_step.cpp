@@ -8,6 +8,7 @@
 #include "motion/part_bend.hpp"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -193,8 +194,38 @@ void MotionPage::sample_air_ahead(
 	ahead.prepare(wind, along, moment, step_time, turn, plants, level);
 }
 
-/// A mode's step is linear in its distance from the equilibrium, so a lasting bend, which moves the equilibrium, adds its
-/// own part after the kernel.
+/// Stems are perfectly plastic beyond the yield: what is beyond it lasts.
+void MotionPage::lodge(int begin, int count) {
+	const float yield = kind.trampling.yield;
+	if (!(yield > 0.0f)) {
+		return;
+	}
+	const bool has_two = kind.stem.modes == 2;
+	const float slope = kind.stem.mode[0].tip_slope;
+	const float second_slope = has_two ? kind.stem.mode[1].tip_slope : 0.0f;
+	const float *x = column(first_of_mode(0)) + begin;
+	const float *z = column(first_of_mode(0) + 1) + begin;
+	const float *second_x = has_two ? column(first_of_mode(1)) + begin : x;
+	const float *second_z = has_two ? column(first_of_mode(1) + 1) + begin : z;
+	const auto tip_x = [&](int i) { return slope * x[i] + second_slope * second_x[i]; };
+	const auto tip_z = [&](int i) { return slope * z[i] + second_slope * second_z[i]; };
+	uint32_t is_any = 0;
+	for (int i = 0; i < count; i++) { // Without branches, so that it is vectorised.
+		is_any |= tip_x(i) * tip_x(i) + tip_z(i) * tip_z(i) > yield * yield ? 1u : 0u;
+	}
+	has_yielded = has_yielded || (is_any != 0u && !lasting.has_room());
+	for (int i = 0; is_any != 0u && lasting.has_room() && i < count; i++) {
+		const glm::vec2 now = lasting.at(begin + i);
+		const glm::vec2 elastic = glm::vec2(tip_x(i), tip_z(i)) - now;
+		const float size = glm::length(elastic);
+		if (size > yield) {
+			lasting.set(begin + i, now + elastic * (1.0f - yield / size));
+		}
+	}
+}
+
+/// A mode's step is linear in its distance from the equilibrium, so a lasting bend, which moves the equilibrium, adds
+/// its own part after the kernel.
 void MotionPage::add_lasting_bends(const KernelSet &set, int begin, int count) {
 	for (int row = begin; row < begin + count; row += LastingBends::BLOCK) {
 		const int some = std::min(LastingBends::BLOCK, begin + count - row);
@@ -233,6 +264,7 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 		if (lasting.is_any()) {
 			add_lasting_bends(set, begin, count);
 		}
+		lodge(begin, count);
 		if (easing > 0.0f && modes() == 2) {
 			ease_modes(begin, count);
 		}

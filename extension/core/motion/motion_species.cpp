@@ -21,8 +21,8 @@ bool is_same_motion(const MotionSpecies &a, const MotionSpecies &b) {
 			one.drag_area == other.drag_area && a.canopy_height == b.canopy_height &&
 			one.elasticity == other.elasticity && one.inner_friction == other.inner_friction &&
 			one.above_ground == other.above_ground && one.natural_frequency == other.natural_frequency &&
-			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius && a.trampling == b.trampling &&
-			(a.law != Law::stem || a.stem == b.stem);
+			one.damping_ratio == other.damping_ratio && a.collision_radius == b.collision_radius &&
+			a.trampling == b.trampling && (a.law != Law::stem || a.stem == b.stem);
 }
 
 bool has_same_drag(const MotionSpecies &a, const MotionSpecies &b) {

@@ -234,8 +234,7 @@ std::vector<uint8_t> write_edits(const SavedEdits &saved) {
 
 BytesFault read_edits(const uint8_t *bytes, std::size_t count, SavedEdits &edits) {
 	uint32_t version = WITHOUT_SEED;
-	while (version < WITH_TRODDEN &&
-			ByteFrame::check(LETTERS, version, bytes, count) == BytesFault::later_version) {
+	while (version < WITH_TRODDEN && ByteFrame::check(LETTERS, version, bytes, count) == BytesFault::later_version) {
 		version++;
 	}
 	const BytesFault fault = count == 0 ? BytesFault::none : ByteFrame::check(LETTERS, version, bytes, count);

@@ -27,6 +27,7 @@ struct Motion {
 	float collision_radius = 0.05f; ///< m, of the sphere at the tip.
 	float trampling = 0.0f; ///< Stem law: part of a bend under a body that lasts (Trampling in motion/).
 	float recovery_time = 300.0f; ///< Stem law, s.
+	float lodging_angle = 0.0f; ///< Stem law, rad, below π: of the tip, beyond which a bend lasts; 0: none.
 };
 
 } // namespace undergrowth

@@ -28,8 +28,8 @@ public:
 private:
 	TroddenPlants absent;
 
-	static void keep_chunk(int number, const PlantChunk &chunk, const FieldRenderSetup &setup, FieldMotion &motion,
-			TroddenPlants &to);
+	static void keep_chunk(
+			int number, const PlantChunk &chunk, const FieldRenderSetup &setup, FieldMotion &motion, TroddenPlants &to);
 	void restore(int number, int first, const PlantStore &store, FieldMotion &motion);
 };
 

@@ -67,7 +67,8 @@ public:
 
 	/// Mows all plants in a sphere to `height` (m), at most to their full height. Returns the number of changed plants.
 	int set_height_in_sphere(const godot::Vector3 &center, double radius, double height);
-	/// Returns the edits of code (removed, mown and added plants) and the trodden plants in the format of write_edits().
+	/// Returns the edits of code (removed, mown and added plants) and the trodden plants in the format of
+	/// write_edits().
 	godot::PackedByteArray changes() const;
 	/// Replaces all edits by these. Returns false, with one error and no change, if the bytes are not valid.
 	bool apply_changes(const godot::PackedByteArray &bytes);

@@ -4,6 +4,7 @@
 
 #include "base/convert.hpp"
 #include "base/follow_changes.hpp"
+#include "base/portable_math.hpp"
 #include "base/shortest_decimal.hpp"
 #include "conventions.hpp"
 
@@ -31,6 +32,7 @@ static constexpr Range DRAG_AREA_RANGE = { -1.0, 1e3 };
 static constexpr Range COLLISION_RANGE = { 0.0, 1e3 };
 static constexpr Range TRAMPLING_RANGE = { 0.0, 1.0 };
 static constexpr Range RECOVERY_RANGE = { 0.1, 1e9 };
+static constexpr Range LODGING_RANGE = { 0.0, 0.5 * PI };
 static constexpr Range DEVIATION_RANGE = { 0.0, 1.0 };
 
 void PlantFunction::shape_changed() {
@@ -226,8 +228,17 @@ double PlantFunction::get_recovery_time() const {
 	return shortest_decimal(motion.recovery_time);
 }
 
+void PlantFunction::set_lodging_angle(double radians) {
+	set_motion(motion.lodging_angle, "lodging_angle", exact_angle(radians), LODGING_RANGE);
+}
+
+double PlantFunction::get_lodging_angle() const {
+	return shortest_decimal(motion.lodging_angle);
+}
+
 Trampling PlantFunction::make_trampling() const {
-	return { motion.trampling, motion.recovery_time };
+	const double yield = portable_tan(0.5 * double(motion.lodging_angle));
+	return { motion.trampling, motion.recovery_time, float(yield) };
 }
 
 void PlantFunction::set_shading(ShadingMode shading) {
@@ -331,6 +342,7 @@ void PlantFunction::_validate_property(PropertyInfo &property) const {
 		{ "stem", { Law::stem } },
 		{ "trampling", { Law::stem } },
 		{ "recovery_time", { Law::stem } },
+		{ "lodging_angle", { Law::stem } },
 	};
 	const String name = property.name;
 	for (const auto &[of_law, laws] : laws_of) {

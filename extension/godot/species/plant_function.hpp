@@ -168,6 +168,8 @@ public:
 	double get_trampling() const;
 	void set_recovery_time(double seconds);
 	double get_recovery_time() const;
+	void set_lodging_angle(double radians);
+	double get_lodging_angle() const;
 	/// For the simulation.
 	Trampling make_trampling() const;
 	void set_shading(ShadingMode shading);

@@ -51,6 +51,8 @@ static void bind_motion_methods() {
 	ClassDB::bind_method(D_METHOD("get_collision_radius"), &PlantFunction::get_collision_radius);
 	ClassDB::bind_method(D_METHOD("set_trampling", "share"), &PlantFunction::set_trampling);
 	ClassDB::bind_method(D_METHOD("get_trampling"), &PlantFunction::get_trampling);
+	ClassDB::bind_method(D_METHOD("set_lodging_angle", "radians"), &PlantFunction::set_lodging_angle);
+	ClassDB::bind_method(D_METHOD("get_lodging_angle"), &PlantFunction::get_lodging_angle);
 	ClassDB::bind_method(D_METHOD("set_recovery_time", "seconds"), &PlantFunction::set_recovery_time);
 	ClassDB::bind_method(D_METHOD("get_recovery_time"), &PlantFunction::get_recovery_time);
 }
@@ -112,6 +114,7 @@ void PlantFunction::_bind_methods() {
 	ADD_PROPERTY(number("collision_radius", "0,1,0.001,or_greater,suffix:m"), "set_collision_radius",
 			"get_collision_radius");
 	ADD_PROPERTY(number("trampling", "0,1,0.01"), "set_trampling", "get_trampling");
+	ADD_PROPERTY(number("lodging_angle", "0,90,1,radians_as_degrees"), "set_lodging_angle", "get_lodging_angle");
 	ADD_PROPERTY(number("recovery_time", "1,7200,1,or_greater,exp,suffix:s"), "set_recovery_time", "get_recovery_time");
 
 	ADD_GROUP("Look", "");

@@ -30,7 +30,8 @@ MotionSpecies trodden_species(float share, bool is_graded = false) {
 	return species;
 }
 
-FieldSimulation calm_field(const MotionSpecies &species, const std::vector<MotionPlant> &plants, float step = FIELD_STEP) {
+FieldSimulation calm_field(
+		const MotionSpecies &species, const std::vector<MotionPlant> &plants, float step = FIELD_STEP) {
 	FieldSettings settings;
 	settings.step = step;
 	FieldSimulation field(settings);
@@ -186,8 +187,8 @@ TEST_CASE("lasting bends are valid: not below the ground, and numbers") {
 	constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 	std::vector<MotionPlant> plants(64);
 	for (int i = 0; i < 64; i++) {
-		plants[static_cast<std::size_t>(i)].rest =
-				glm::normalize(glm::vec3(std::cos(0.1f * static_cast<float>(i)), 1.0f, std::sin(0.1f * static_cast<float>(i))));
+		plants[static_cast<std::size_t>(i)].rest = glm::normalize(
+				glm::vec3(std::cos(0.1f * static_cast<float>(i)), 1.0f, std::sin(0.1f * static_cast<float>(i))));
 	}
 	MotionSpecies species = trodden_species(1.0f);
 	species.stem = jointed(4, 0.5, 0.5);
@@ -227,4 +228,28 @@ TEST_CASE("trodden stems have the same bits at every SIMD level") {
 		CHECK((first.empty() || first == places));
 		first = places;
 	}
+}
+
+TEST_CASE("a wind that bends a stem beyond its yield lodges it by the rest, and a weaker one does not") {
+	MotionSpecies species = trodden_species(0.0f);
+	species.trampling.recovery = 1e6f;
+	const auto blown = [&](float yield) {
+		species.trampling.yield = yield;
+		FieldSimulation field = calm_field(species, { MotionPlant() });
+		field.set_wind({ { WindKind::constant, 0.4f }, 0.0f });
+		run(field, 20.0);
+		return field;
+	};
+	const float elastic = glm::length(tip_of(blown(0.0f)));
+	CHECK(elastic > 0.2f);
+	CHECK(blown(0.0f).lasting_bend(0, 0) == glm::vec2(0.0f));
+	CHECK(blown(2.0f * elastic).lasting_bend(0, 0) == glm::vec2(0.0f)); // It overshoots at first.
+	const float yield = 0.5f * elastic;
+	FieldSimulation field = blown(yield);
+	const glm::vec2 lodged = field.lasting_bend(0, 0);
+	CHECK(glm::length(lodged) > 0.4f * elastic);
+	CHECK(glm::length(tip_of(field) - lodged) < yield + BEND_TOLERANCE);
+	field.set_wind({ { WindKind::constant, 0.0f }, 0.0f });
+	run(field, 20.0);
+	CHECK(glm::length(tip_of(field) - lodged) < BEND_TOLERANCE);
 }

@@ -138,7 +138,8 @@ TEST_CASE("a trodden plant on a path needs at most 4 bytes") {
 		}
 	}
 	REQUIRE(saved.trodden.size() > 500);
-	const double share = static_cast<double>(write_edits(saved).size() - nothing) / static_cast<double>(saved.trodden.size());
+	const double share =
+			static_cast<double>(write_edits(saved).size() - nothing) / static_cast<double>(saved.trodden.size());
 	MESSAGE("bytes of a trodden plant: ", share);
 	CHECK(share <= 4.0);
 }

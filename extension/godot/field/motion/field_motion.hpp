@@ -148,8 +148,8 @@ public:
 	/// Lasting bends of a chunk's plants, by slot. Empty if it has none.
 	std::vector<glm::vec2> blocking_read_lasting_bends(int chunk);
 	void set_lasting_bend(const PlantRef &ref, const glm::vec2 &bend);
-	/// Lets the bend of a plant last whose tip points along `direction` (unit, field axes); upright: none. Returns false for laws
-	/// without lasting bends and for followers.
+	/// Lets the bend of a plant last whose tip points along `direction` (unit, field axes); upright: none. Returns
+	/// false for laws without lasting bends and for followers.
 	bool trample(const PlantRef &ref, const glm::vec3 &direction);
 	void apply_impulse(const PlantRef &ref, const glm::vec3 &impulse);
 
