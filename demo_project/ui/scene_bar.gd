@@ -1,7 +1,7 @@
 extends PanelContainer
 ## The bar at the lower edge: switches between the demo's scenes.
 ##
-## Its buttons do, and the keys 1 to 7.
+## Its buttons do, and the keys 1 to 8.
 
 const SCENES: Array[String] = [
 	"res://field/field.tscn",
@@ -11,6 +11,7 @@ const SCENES: Array[String] = [
 	"res://script_species/script_species.tscn",
 	"res://stems/stems.tscn",
 	"res://scythe/scythe.tscn",
+	"res://paths/paths.tscn",
 ]
 
 
