@@ -111,6 +111,16 @@ func test_plumes_and_flowers_are_on_cards_where_solid_ones_would_be_lumps() -> v
 		check_equal(_levels()[0]["are_carded"][known[1]], 1, "cards of %s" % [known])
 
 
+## A single variant of the grass in this mix has no panicle.
+func test_a_species_has_cards_also_if_one_of_its_variants_has_none() -> void:
+	field.free()
+	field = (load(MEADOW) as PackedScene).instantiate()
+	field.simulation_enabled = false
+	await start()
+	var carded: PackedByteArray = _levels()[0]["are_carded"]
+	check_equal(carded[1], 1, "cards of meadow grass: %s" % _levels()[0])
+
+
 func test_a_dense_lawn_has_levels_between_near_and_far_ones() -> void:
 	field.free()
 	field = (load(LAWN) as PackedScene).instantiate()

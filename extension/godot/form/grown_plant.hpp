@@ -17,6 +17,7 @@ namespace undergrowth {
 struct LevelLooks {
 	float error = 0.0f; ///< Of the outline (m).
 	bool has_bodies = false; ///< Of SharedMesh.
+	bool has_cards = false; ///< Of SharedMesh.
 };
 
 /// A generated plant of parts. All levels of detail share it.

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 using namespace godot;
 
@@ -111,7 +110,7 @@ void SpeciesStyle::load_shader() const {
 	}
 }
 
-// The largest error of some variants: a single one may lack flowers. Infinite if a variant has no cards.
+// The largest error of some variants: a single one may lack flowers, and then has no cards.
 LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
 	LevelLooks worst;
 	for (size_t variant = 0; variant < outlines.size(); variant++) {
@@ -126,13 +125,11 @@ LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector
 			measured.push_back(SharedMesh::of(sampled));
 			measured.back()->build();
 			SharedMesh &mesh = *measured.back();
-			if (has_cards && !mesh.has_cards()) {
-				return { std::numeric_limits<float>::infinity(), false };
-			}
-			return { mesh.outline_error(*outlines[variant]), mesh.has_bodies() };
+			return { mesh.outline_error(*outlines[variant]), mesh.has_bodies(), mesh.has_cards() };
 		});
 		worst.error = std::max(worst.error, looks.error);
 		worst.has_bodies = worst.has_bodies || looks.has_bodies;
+		worst.has_cards = worst.has_cards || looks.has_cards;
 	}
 	return worst;
 }
@@ -147,6 +144,9 @@ void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelEr
 		return; // Cards are not measured where their texels alone are too large.
 	}
 	const LevelLooks looks = measure_level(level, true, outlines);
+	if (!looks.has_cards) {
+		return;
+	}
 	const float own = (looks.has_bodies ? 1.0f : CARD_SHARE) * looks.error;
 	const float finest = *std::min_element(errors.begin(), errors.end());
 	const float blurred = std::max(own, sharpest);
