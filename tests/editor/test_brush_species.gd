@@ -135,7 +135,4 @@ func _check_added(field: PlantField3D) -> void:
 
 
 func _pick(title: String) -> void:
-	await open_page("Plant")
-	var found := find_item(title)
-	check(found[0] != null, title + " is listed")
-	await click_item(found[0], found[1])
+	await choose_tile(title)

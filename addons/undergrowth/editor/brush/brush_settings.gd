@@ -21,8 +21,8 @@ var _options: BrushOptions
 var _field: PlantField3D
 # Layers of the species buttons, in their order.
 var _names: PackedStringArray = []
-# Layer of the species that the field does not contain yet.
-var _new_layer := ""
+# Layers of species that the field does not contain yet.
+var _new_layers: PackedStringArray = []
 
 @onready var _numbers: HBoxContainer = %Numbers
 @onready var _radius: EditorSpinSlider = %Radius
@@ -56,10 +56,12 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Shows the species of [param field] (null: none), and [param new_species] with its title, which
-## the field does not contain yet. Its layer in the map will be [param new_layer].
+## Shows the species of [param field] (null: none), and [param added], which the field does not
+## contain yet, by their future layers in the map, with [param new_titles].
 func show_field(
-	field: PlantField3D, new_species: PlantFunction = null, new_layer := "", new_title := ""
+	field: PlantField3D,
+	added: Dictionary[String, PlantFunction] = {},
+	new_titles: Dictionary[String, String] = {}
 ) -> void:
 	_field = field
 	var functions: Array[PlantFunction] = []
@@ -71,13 +73,14 @@ func show_field(
 			functions.append(entry.species)
 			names.append(layer)
 			titles.append(LayerTitles.of(field, layer))
-	if new_species:
-		functions.append(new_species)
-		names.append(new_layer)
-		titles.append("+ " + new_title)
-	if names != _names or new_layer != _new_layer:
+	for layer in added:
+		functions.append(added[layer])
+		names.append(layer)
+		titles.append("+ " + new_titles[layer])
+	var new_layers: PackedStringArray = added.keys()
+	if names != _names or new_layers != _new_layers:
 		_names = names
-		_new_layer = new_layer
+		_new_layers = new_layers
 		_make_buttons(functions, titles)
 	_show()
 
@@ -126,8 +129,8 @@ func _add_species(function: PlantFunction, layer: String, title: String) -> void
 
 
 func _explain(layer: String, title: String) -> String:
-	if layer == _new_layer:
-		return tr("Picked in the dock. Painting adds it to the field.")
+	if layer in _new_layers:
+		return tr("Picked in the panel. Painting adds it to the field.")
 	return tr("Paint %s. Where none is chosen, all are.") % title
 
 

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
 ## One stroke of the brush on the map of a field, from press to release: one step of undo. A field
-## without a map gets one with the density of its area. The stroke also adds a new species.
+## without a map gets one with the density of its area. The stroke also adds new species.
 
 const FieldEntries := preload("../actions/field_entries.gd")
 const LayerTitles := preload("layer_titles.gd")
@@ -37,7 +37,7 @@ func _init(
 	tool: BrushOptions.Tool,
 	smooths: bool,
 	species: PackedStringArray,
-	new_entry: PlantFieldSpecies = null
+	added: Array[PlantFieldSpecies] = []
 ) -> void:
 	_field = field
 	_options = options
@@ -52,8 +52,8 @@ func _init(
 	_map = _make_map() if _is_new else field.map
 	_before = _map.snapshot()
 	_map.area_changed.connect(_on_area_changed)
-	if new_entry:
-		FieldEntries.add(field, new_entry)
+	for entry in added:
+		FieldEntries.add(field, entry)
 	if _is_new:
 		field.map = _map
 	_names = _choose_names()

@@ -41,7 +41,7 @@ var _choice := BrushChoice.new()
 
 
 ## Adds the toolbar and the settings to the 3D editor of [param plugin]. It paints the species
-## picked in the dock of [param state].
+## picked in the panel of [param state].
 func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_plugin = plugin
 	plugin.get_undo_redo().history_changed.connect(_on_history_changed)
@@ -170,10 +170,12 @@ func _begin_stroke(
 	place: Vector3, tool: BrushOptions.Tool, smooths: bool, erases_all: bool
 ) -> void:
 	var paints := tool == BrushOptions.Tool.PAINT and not smooths
-	var new_entry := _choice.take_new_entry() if paints else null
+	var added: Array[PlantFieldSpecies] = []
+	if paints:
+		added = _choice.take_new_entries()
 	_settings.show_message("")
 	var species := PackedStringArray() if erases_all else options.species
-	_stroke = BrushStroke.new(_field, options, tool, smooths, species, new_entry)
+	_stroke = BrushStroke.new(_field, options, tool, smooths, species, added)
 	_pressure = 0.0
 	_waits_for = place
 	if not _pen.begin():

@@ -3,12 +3,12 @@ extends VBoxContainer
 ## The force of a wind over the next seconds, with a button for a gust. For air, its speed, its
 ## Beaufort number and description, and a folded analysis: a map and the spectrum.
 
-const Beaufort := preload("../wind_page/beaufort.gd")
+const Beaufort := preload("../wind/beaufort.gd")
 const ForceGraph := preload("../widgets/force_graph.gd")
 const WindMap := preload("../widgets/wind_map.gd")
 const WindSpectrum := preload("../widgets/wind_spectrum.gd")
 const Translations := preload("../translations/translations.gd")
-const WindClock := preload("../wind_page/wind_clock.gd")
+const WindClock := preload("../wind/wind_clock.gd")
 
 ## The shown wind. Set it before the view enters the tree.
 var wind: PlantWind

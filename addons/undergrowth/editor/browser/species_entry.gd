@@ -5,7 +5,7 @@ extends RefCounted
 
 enum Kind { CLASS, SCRIPT, RESOURCE, MIX }
 
-const FirstDrawing := preload("first_drawing.gd")
+const FirstDrawing := preload("../inspector/first_drawing.gd")
 const CLASS_ENDING := "Function"
 const TOOL_MARK := "@tool"
 const FIELD_CLASS := &"PlantField3D"

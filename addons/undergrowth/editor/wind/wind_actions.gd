@@ -1,6 +1,6 @@
 @tool
 extends Node
-## The actions of the wind page: changes the wind of the scene, gives it to all plants, saves it.
+## The actions of the wind panel: changes the wind of the scene, gives it to all plants, saves it.
 
 const EditorState := preload("../editor_state.gd")
 const ProjectFiles := preload("../actions/project_files.gd")
@@ -33,7 +33,7 @@ func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
 	_undo = undo
 
 
-## Returns the wind that the page edits: that of the first selected plant, or of the first plant of
+## Returns the wind that the panel edits: that of the first selected plant, or of the first plant of
 ## the edited scene if none is selected. Null: no plant has a wind that is saved with the scene, or
 ## in a file.
 static func find_scene_wind() -> PlantWind:
@@ -119,7 +119,7 @@ func _may_set(root: Node, plants: Array[Node3D]) -> bool:
 		_state.report(tr("Open a scene first; then its plants can have this wind."), WARNING)
 		return false
 	if plants.is_empty():
-		_state.report(tr("The scene has no plants yet. Add one on the Plant page."), WARNING)
+		_state.report(tr("The scene has no plants yet. Add one from the panel Undergrowth."), WARNING)
 		return false
 	for plant in plants:
 		if not ScenePlants.is_saved_with(root, plant):

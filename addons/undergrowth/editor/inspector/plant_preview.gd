@@ -1,13 +1,18 @@
 @tool
-extends PanelContainer
-## The chosen species as a plant in the wind of the dock, or a piece of the chosen mix.
+extends VBoxContainer
+## A swaying plant of a species above its properties in the inspector, at the detail of a near one:
+## alone, by levels of detail, or by seeds. Its view stays while the inspector is built again.
 
 const EditorState := preload("../editor_state.gd")
 const OrbitCamera := preload("orbit_camera.gd")
-const PlantGroup := preload("../widgets/plant_group.gd")
 const PreviewOverlay := preload("preview_overlay.gd")
+const PreviewView := preload("preview_view.gd")
 const Traits := preload("species_traits.gd")
-const WindClock := preload("../wind_page/wind_clock.gd")
+const Translations := preload("../translations/translations.gd")
+const ViewControls := preload("view_controls.gd")
+const WindClock := preload("../wind/wind_clock.gd")
+## Of the picture, in pixels at 100 %.
+const HEIGHT := 240.0
 ## Gap between the four levels, as a fraction of the plant's height.
 const LEVEL_GAP := 0.45
 ## Number of plants side by side that differ by seed.
@@ -18,28 +23,25 @@ const LABEL_NAME := "Level"
 const LABEL_PIXEL := 0.0022
 const LABEL_HEIGHT := 1.08
 const BACKDROP_OPACITY := 0.8
-## Factor of the editor's font size, so that all counts fit in one line of a narrow dock.
+## Factor of the editor's font size, so that all counts fit in one line of a narrow inspector.
 const SMALL_FONT := 0.85
 ## Start of a plant, as a fraction of the view's width.
 const MIDDLE := 0.45
-## Minimum height of a view with counts, in pixels at 100 %.
-const MIN_HEIGHT_FOR_COUNTS := 120.0
 ## Margin for swaying, as a fraction of the height.
 const SWAY_ROOM := 0.5
-## Approximate number of plants in a piece of a mix, and its limits in metres.
-const PIECE_PLANTS := 120.0
-const MIN_PIECE := 0.4
-const MAX_PIECE := 2.5
-## As a fraction of the piece's side, seen from a corner and from slightly above.
-const PIECE_BREADTH := 1.25
 const RING_COLOR := Color(1.0, 1.0, 1.0, 0.55)
 const BONE_COLOR := Color(1.0, 0.72, 0.2)
 
-var _state: EditorState
+## The shown species. Set it before the preview enters the tree.
+var function: PlantFunction
+
+# A light breeze that belongs to this preview.
+var _breeze := PlantWind.new()
+var _shown: PreviewView
+# The reason that prevents a plant and its solution, or an empty text.
+var _problem := ""
 var _plants: Array[Plant3D] = []
 var _overlays: Array[MeshInstance3D] = []
-# The piece of a mix, or null.
-var _piece: PlantField3D
 var _refresh_is_queued := false
 
 @onready var _view: SubViewportContainer = %View
@@ -60,42 +62,57 @@ var _refresh_is_queued := false
 
 
 func _ready() -> void:
-	set_process(false)
+	set_process(function != null)
+	if not function:
+		return
+	set_translation_domain(Translations.DOMAIN)
+	_view.custom_minimum_size.y = HEIGHT * EditorInterface.get_editor_scale()
+	_breeze.kind = PlantWind.KIND_WAVES
+	_breeze.frequency = 0.4
+	_breeze.direction = PI / 2.0
+	_shown = PreviewView.of(function)
+	(%ViewControls as ViewControls).setup(_shown)
+	_connect_tools()
+	_apply_theme()
+	function.changed.connect(_queue_refresh)
+	_refresh()
 
 
-## Shows the species of [param state].
-func setup(state: EditorState) -> void:
-	_state = state
-	_state.function_chosen.connect(_on_function_chosen)
-	_state.function_edited.connect(_queue_refresh)
-	_state.view_changed.connect(_queue_refresh)
+func _connect_tools() -> void:
+	_camera.turn_to(_shown.turn, _shown.tilt, _shown.zoom)
+	for toggle: Button in [_play, _rings, _bones, _levels, _seeds]:
+		toggle.set_pressed_no_signal(_shown.tools.get(toggle.name, toggle.button_pressed))
 	for toggle: Button in [_rings, _bones]:
 		toggle.toggled.connect(func(_on: bool) -> void: _refresh())
 	_levels.toggled.connect(_on_row_toggled.bind(_seeds))
 	_seeds.toggled.connect(_on_row_toggled.bind(_levels))
 	_reset.pressed.connect(_camera.restart)
+	_shown.changed.connect(_queue_refresh)
 	_view.gui_input.connect(_on_view_input)
 	for part: Control in [_view, _tools, _counts_panel]:
 		part.resized.connect(_make_room)
-	_apply_theme()
-	_on_function_chosen()
-	set_process(true)
+
+
+func _exit_tree() -> void:
+	if not _shown:
+		return
+	_shown.turn = _camera.get_turn()
+	_shown.tilt = _camera.get_tilt()
+	_shown.zoom = _camera.get_zoom()
+	for toggle: Button in [_play, _rings, _bones, _levels, _seeds]:
+		_shown.tools[toggle.name] = toggle.button_pressed
 
 
 func _process(delta: float) -> void:
 	if not is_visible_in_tree() or not _play.button_pressed:
 		return
-	if not _state.function and not _piece:
-		return
-	WindClock.advance(_state.wind, delta)
+	WindClock.advance(_breeze, delta)
 	for plant in _plants:
-		plant._preview(minf(delta, LONGEST_FRAME), _state.wind)
-	if _piece:
-		_piece._preview(minf(delta, LONGEST_FRAME), _state.wind)
+		plant._preview(minf(delta, LONGEST_FRAME), _breeze)
 
 
 func _notification(what: int) -> void:
-	if what == NOTIFICATION_THEME_CHANGED and _state:
+	if what == NOTIFICATION_THEME_CHANGED and _shown:
 		_apply_theme()
 
 
@@ -146,16 +163,6 @@ func _make_label() -> Label3D:
 	return label
 
 
-func _on_function_chosen() -> void:
-	_set_plant_count(0)
-	if _piece:
-		_piece.queue_free()
-		_piece = null
-	for toggle: Button in [_rings, _bones, _levels, _seeds]:
-		toggle.disabled = _state.mix != null
-	_queue_refresh()
-
-
 func _queue_refresh() -> void:
 	if not _refresh_is_queued:
 		_refresh_is_queued = true
@@ -164,13 +171,12 @@ func _queue_refresh() -> void:
 
 func _refresh() -> void:
 	_refresh_is_queued = false
-	if _state.mix:
-		_show_piece()
-		return
-	if not _state.function or not _state.problem.is_empty():
+	_problem = function.find_problem(_shown.height, _shown.segments, _shown.first_seed)
+	if not _problem.is_empty():
 		_show_nothing()
 		return
 	_hint_panel.visible = false
+	_breeze.strength = _breeze_strength()
 	var count := EditorState.LEVELS.size() if _levels.button_pressed else 1
 	_set_plant_count(SEEDS if _seeds.button_pressed else count)
 	for i in _plants.size():
@@ -180,43 +186,25 @@ func _refresh() -> void:
 	_show_overlays()
 
 
+# A force that bends this plant visibly but not flat: a fraction of its weight.
+func _breeze_strength() -> float:
+	var weight := 1.0 if function.wind_weight < 0.0 else maxf(function.wind_weight, 0.1)
+	return clampf(0.1 * function.mass * 9.81 / weight, 0.001, 10.0)
+
+
 # The last valid plant stays visible while its species has an error.
 func _show_nothing() -> void:
-	_hint_panel.visible = _plants.is_empty()
-	_hint.text = tr("Choose a species above.") if not _state.function else _state.problem
+	_hint_panel.visible = true
+	_hint.text = _problem
 	_counts_panel.visible = false
-
-
-# Small, with the density of the mix.
-func _show_piece() -> void:
-	if _piece:
-		return
-	_hint_panel.visible = false
-	_counts_panel.visible = false
-	_piece = _state.mix.instantiate()
-	var side := clampf(sqrt(PIECE_PLANTS / _piece.density), MIN_PIECE, MAX_PIECE)
-	_piece.size = Vector2.ONE * side
-	_piece.wind = null
-	_piece.build_finished.connect(_show_plant_count)
-	_plant_root.add_child(_piece)
-	var height := PlantGroup.find_tallest(_piece)
-	_ground.scale = Vector3.ONE * side * 0.5 * GROUND_RADIUS
-	_camera.frame(Vector3.UP * height * 0.5, Vector2(side * PIECE_BREADTH, height))
-
-
-func _show_plant_count() -> void:
-	var count := _piece.get_plant_count()
-	var area := String.num(_piece.size.x * _piece.size.y, 1)
-	_counts_panel.visible = true
-	_counts.text = tr_n("%d plant on %s m²", "%d plants on %s m²", count) % [count, area]
 
 
 func _show_plant(index: int) -> void:
 	var plant := _plants[index]
-	plant.species = _state.function
-	plant.height = _state.height
-	plant.seed = _state.seed_value + (index if _seeds.button_pressed else 0)
-	plant.segments = EditorState.LEVELS[index] if _levels.button_pressed else _state.segments
+	plant.species = function
+	plant.height = _shown.height
+	plant.seed = _shown.first_seed + (index if _seeds.button_pressed else 0)
+	plant.segments = EditorState.LEVELS[index] if _levels.button_pressed else _shown.segments
 	plant.rebuild()
 	var label: Label3D = plant.get_node(LABEL_NAME)
 	label.visible = _plants.size() > 1
@@ -254,9 +242,7 @@ func _show_counts() -> void:
 func _make_room() -> void:
 	var is_over := _tools.position.x + _tools.size.x > _view.size.x * MIDDLE
 	var top := _tools.get_rect().end.y if is_over else 0.0
-	var is_low := _view.size.y < MIN_HEIGHT_FOR_COUNTS * EditorInterface.get_editor_scale()
-	_counts_panel.modulate.a = 0.0 if is_low else 1.0
-	var bottom := _counts_panel.size.y if _counts_panel.visible and not is_low else 0.0
+	var bottom := _counts_panel.size.y if _counts_panel.visible else 0.0
 	_camera.spare(Vector2(top, bottom))
 	_camera.place()
 
@@ -266,12 +252,12 @@ func _show_overlays() -> void:
 		if is_instance_valid(overlay):
 			(overlay as Node).queue_free()
 	_overlays.clear()
-	var is_stem := _state.function != null and _state.function.law == PlantFunction.LAW_STEM
+	var is_stem := function.law == PlantFunction.LAW_STEM
 	for plant in _plants:
 		var joints := plant.get_joint_count() if is_stem else 0
-		if _rings.button_pressed and Traits.has_stem(_state.function):
+		if _rings.button_pressed and Traits.has_stem(function):
 			var height := plant.get_plant_height()
-			var rings := PreviewOverlay.make_rings(_state.function, height, plant.segments, joints)
+			var rings := PreviewOverlay.make_rings(function, height, plant.segments, joints)
 			_add_overlay(plant, rings, RING_COLOR)
 		if _bones.button_pressed:
 			var bones := PreviewOverlay.make_bones(plant.get_plant_height(), joints)
@@ -292,6 +278,11 @@ func _add_overlay(plant: Plant3D, lines: ArrayMesh, color: Color) -> void:
 	_overlays.append(overlay)
 
 
+# Without Ctrl the wheel scrolls the inspector.
 func _on_view_input(event: InputEvent) -> void:
+	var button := event as InputEventMouseButton
+	var is_wheel := button and button.button_index in [MOUSE_BUTTON_WHEEL_UP, MOUSE_BUTTON_WHEEL_DOWN]
+	if is_wheel and not button.ctrl_pressed:
+		return
 	if _camera.handle(event, EditorInterface.get_editor_scale()):
 		_view.accept_event()

@@ -1,23 +1,14 @@
 @tool
 extends VBoxContainer
-## The page for species and mixes: list, preview, properties and actions.
+## Tiles of species and mixes, and actions for the chosen one.
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
-const SpeciesList := preload("species_list.gd")
-const PlantPreview := preload("plant_preview.gd")
-const PropertyPanel := preload("property_panel.gd")
-const ViewControls := preload("view_controls.gd")
+const TileList := preload("tile_list.gd")
 const ActionBar := preload("../actions/action_bar.gd")
+const Inspecting := preload("../actions/inspecting.gd")
 const SameResource := preload("../actions/same_resource.gd")
 const SceneSpecies := preload("scene_species.gd")
-## Minimum ratio of width to height for a layout side by side.
-const WIDE := 1.3
-## Maximum share of the list in the height of a narrow page.
-const MAX_LIST_SHARE := 0.44
-## Minimum height of a narrow page with properties, in pixels at 100 %. A lower page leaves them to
-## the editor's inspector.
-const MIN_HEIGHT_FOR_PROPERTIES := 400.0
 
 var _state: EditorState
 var _chosen: SpeciesEntry
@@ -25,31 +16,22 @@ var _chosen: SpeciesEntry
 var _ready_functions: Dictionary[String, PlantFunction] = {}
 var _scene_species := SceneSpecies.new()
 
-@onready var _split: SplitContainer = %Split
-@onready var _list: SpeciesList = %List
-@onready var _preview: PlantPreview = %Preview
-@onready var _view_controls: ViewControls = %ViewControls
-@onready var _properties: PropertyPanel = %Properties
+@onready var _list: TileList = %List
 @onready var _actions: ActionBar = %Actions
 
 
-## Fills the page and chooses the first entry of the list.
+## Fills the list and chooses the first entry.
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
-	resized.connect(_turn_split)
 	_list.chosen.connect(_on_list_chosen)
+	_list.opened.connect(_on_list_opened)
 	_list.refreshed.connect(_on_list_refreshed)
 	_list.new_wanted.connect(_actions.open_new_dialog)
-	_list.laid_out.connect(_turn_split)
 	_list.setup(state)
-	_preview.setup(state)
-	_view_controls.setup(state)
-	_properties.setup(state, undo)
 	_actions.setup(state, undo, dock)
 	_actions.saved.connect(_on_saved)
 	_actions.added.connect(_scene_species.skip)
 	_choose_first()
-	_turn_split()
 	_scene_species.selected.connect(_show_species)
 	_scene_species.setup(self)
 
@@ -84,23 +66,12 @@ func _find_dragged(data: Variant) -> RefCounted:
 	if data is not Dictionary:
 		return null
 	var files: PackedStringArray = data.get("files", [])
-	var key: String = data.get(SpeciesList.DRAGGED_KEY, files[0] if files.size() == 1 else "")
+	var key: String = data.get(TileList.DRAGGED_KEY, files[0] if files.size() == 1 else "")
 	var entry := _list.find(key) if key else null
 	return entry if entry else (data.get("resource") as PlantFunction)
 
 
-# Side by side in a wide dock, such as the editor's bottom panel. Otherwise two rows of species, if
-# there is room for them.
-func _turn_split() -> void:
-	_split.vertical = size.x < size.y * WIDE
-	var wanted := minf(_list.find_height_of_rows(), size.y * MAX_LIST_SHARE)
-	_list.custom_minimum_size.y = wanted if _split.vertical else 0.0
-	var minimum := MIN_HEIGHT_FOR_PROPERTIES * EditorInterface.get_editor_scale()
-	_properties.visible = not _split.vertical or size.y >= minimum
-
-
-# Follows the selection of the scene: chooses its entry of the list, or the scene's own species. The
-# dock edits that species directly.
+# Follows the selection of the scene: chooses its entry of the list, or the scene's own species.
 func _show_species(function: PlantFunction) -> void:
 	if function == _state.origin or SameResource.are_equal(function, _state.function):
 		return
@@ -114,16 +85,39 @@ func _show_species(function: PlantFunction) -> void:
 	else:
 		_chosen = null
 		_state.choose(function, "", SpeciesEntry.title_of(function))
-		var text := tr("%s is selected, and the scene's own: what you change here changes there.")
-		_state.report(text % tr(_state.title))
+		_state.report(tr("%s is selected, and the scene's own.") % tr(_state.title))
 	_list.mark(entry.key if entry else "")
 	_list.reveal_chosen()
 
 
-func _on_list_chosen(entry: SpeciesEntry) -> void:
+func _on_list_chosen(entries: Array[SpeciesEntry]) -> void:
+	var last: SpeciesEntry = entries[-1]
+	_choose(last)
+	if not _chosen or _chosen.key != last.key:
+		return
+	var functions: Array[PlantFunction] = []
+	var titles: PackedStringArray = []
+	for entry in entries:
+		var function := _find_function(entry)
+		if function:
+			functions.append(entry.get_origin() if _is_unchanged(entry, function) else function)
+			titles.append(entry.title)
+	_state.picked.emit(functions, titles)
+
+
+# A ready species that the user has not changed is painted from its file.
+func _is_unchanged(entry: SpeciesEntry, function: PlantFunction) -> bool:
+	var origin := entry.get_origin()
+	return origin != null and SameResource.has_equal_properties(origin, function)
+
+
+# A mix has no properties of its own: its species are in the tile's tooltip.
+func _on_list_opened(entry: SpeciesEntry) -> void:
 	_choose(entry)
-	if _chosen and _chosen.key == entry.key:
-		_state.picked.emit()
+	if _chosen and _chosen.key == entry.key and _state.function:
+		Inspecting.open(_state.function)
+	elif _state.mix:
+		_state.report(tr("A mix is a field of several species. Add it, then change it there."))
 
 
 func _choose(entry: SpeciesEntry) -> void:
@@ -132,17 +126,23 @@ func _choose(entry: SpeciesEntry) -> void:
 	if entry.kind == SpeciesEntry.Kind.MIX:
 		_choose_mix(entry)
 		return
-	var function: PlantFunction = _ready_functions.get(entry.key)
-	if not function:
-		function = entry.instantiate()
+	var function := _find_function(entry)
 	if not function:
 		_refuse(entry)
 		return
-	if entry.is_ready:
-		_ready_functions[entry.key] = function
 	_chosen = entry
 	_state.report("")
 	_state.choose(function, entry.get_path(), entry.title, entry.get_origin())
+
+
+# Null for a mix, or a file with an error.
+func _find_function(entry: SpeciesEntry) -> PlantFunction:
+	var function: PlantFunction = _ready_functions.get(entry.key)
+	if not function:
+		function = entry.instantiate()
+	if function and entry.is_ready:
+		_ready_functions[entry.key] = function
+	return function
 
 
 func _choose_mix(entry: SpeciesEntry) -> void:

@@ -4,9 +4,13 @@ extends Button
 ## its own wind. Visible while the scene has plants.
 
 const EditorState := preload("../editor_state.gd")
+const SceneWind := preload("scene_wind.gd")
 const ScenePlants := preload("scene_plants.gd")
 const Translations := preload("../translations/translations.gd")
 const ICON := preload("../../icons/PlantWind.svg")
+
+## Visible like this one.
+var wind_button: Button
 
 var _state: EditorState
 var _is_pending := false
@@ -28,6 +32,9 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	var tree := plugin.get_tree()
 	tree.node_added.connect(_on_node_changed)
 	tree.node_removed.connect(_on_node_changed)
+	var scene_wind := SceneWind.new()
+	add_child(scene_wind)
+	scene_wind.setup(state)
 	_show()
 	_show_if_needed()
 
@@ -62,3 +69,4 @@ func _show_soon() -> void:
 func _show_if_needed() -> void:
 	_is_pending = false
 	visible = not ScenePlants.all(EditorInterface.get_edited_scene_root()).is_empty()
+	wind_button.visible = visible

@@ -2,9 +2,9 @@
 extends HFlowContainer
 ## Controls for height, seed and level of detail of the shown plant.
 
-const EditorState := preload("../editor_state.gd")
+const PreviewView := preload("preview_view.gd")
 
-var _state: EditorState
+var _view: PreviewView
 
 @onready var _height: EditorSpinSlider = %Height
 @onready var _seed: EditorSpinSlider = %Seed
@@ -12,16 +12,15 @@ var _state: EditorState
 @onready var _dice: Button = %Dice
 
 
-## Shows and changes the view of [param state].
-func setup(state: EditorState) -> void:
-	_state = state
-	_segments.value = state.segments
-	_seed.value = state.seed_value
-	_height.value = state.height
-	_height.value_changed.connect(func(metres: float) -> void: _state.height = metres)
-	_seed.value_changed.connect(func(number: float) -> void: _state.seed_value = int(number))
-	_segments.value_changed.connect(func(number: float) -> void: _state.segments = int(number))
-	_state.function_chosen.connect(func() -> void: visible = not _state.mix)
+## Shows and changes [param view].
+func setup(view: PreviewView) -> void:
+	_view = view
+	_segments.value = view.segments
+	_seed.value = view.first_seed
+	_height.value = view.height
+	_height.value_changed.connect(func(metres: float) -> void: _view.height = metres)
+	_seed.value_changed.connect(func(number: float) -> void: _view.first_seed = int(number))
+	_segments.value_changed.connect(func(number: float) -> void: _view.segments = int(number))
 	_dice.pressed.connect(func() -> void: _seed.value += 1)
 	for slider: Control in [_height, _seed, _segments]:
 		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()

@@ -48,6 +48,26 @@ func restart() -> void:
 	place()
 
 
+## Sets the angles in radians, and the zoom.
+func turn_to(turn: float, tilt: float, zoom: float) -> void:
+	_turn = turn
+	_tilt = tilt
+	_zoom = zoom
+	place()
+
+
+func get_turn() -> float:
+	return _turn
+
+
+func get_tilt() -> float:
+	return _tilt
+
+
+func get_zoom() -> float:
+	return _zoom
+
+
 ## Handles one event over the view. Returns true if the camera used it.
 func handle(event: InputEvent, scale_factor: float) -> bool:
 	if event is InputEventMouseMotion:
