@@ -75,6 +75,9 @@ func _exit_tree() -> void:
 	if not _dock:
 		return
 	remove_inspector_plugin(_inspector)
+	var inspected := EditorInterface.get_inspector().get_edited_object()
+	if inspected:
+		inspected.notify_property_list_changed()  # Takes the add-on's controls away.
 	_remove_gizmos()
 	_sway.call(&"close", self)
 	_wind.call(&"close")

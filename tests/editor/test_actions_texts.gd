@@ -13,7 +13,7 @@ const NOT_TEXTS: Array[String] = ["res://", "24, 12, 6, 3"]
 const SAMPLES: Dictionary[String, String] = {
 	"Add to Scene": "Dodaj u scenu",
 	"Strength": "Snaga",
-	"Choose a species above.": "Gore odaberite vrstu.",
+	"All": "Sve",
 }
 
 

@@ -12,13 +12,17 @@ const BrushOptions := preload("brush_options.gd")
 const Translations := preload("../translations/translations.gd")
 
 ## Icons of the editor, by tool.
-const ICONS: Array[StringName] = [&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick"]
+const ICONS: Array[StringName] = [
+	&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick", &"Line2D", &"Path3D"
+]
 const FILL_ICON := &"Reload"
 const PLACE_ICON := &"Snap"
 
 var _options: BrushOptions
 
-@onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick]
+@onready var _tools: Array[Button] = [
+	null, %Paint, %Erase, %Height, %Pick, %Trail, %Path
+]
 @onready var _fill: Button = %Fill
 @onready var _place: Button = %Place
 

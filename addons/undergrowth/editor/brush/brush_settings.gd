@@ -26,6 +26,7 @@ var _new_layers: PackedStringArray = []
 
 @onready var _numbers: HBoxContainer = %Numbers
 @onready var _radius: EditorSpinSlider = %Radius
+@onready var _path_width: EditorSpinSlider = %PathWidth
 @onready var _strength: EditorSpinSlider = %Strength
 @onready var _falloff: EditorSpinSlider = %Falloff
 @onready var _density: DensitySlider = %Density
@@ -41,6 +42,7 @@ func setup(options: BrushOptions) -> void:
 	_options = options
 	set_translation_domain(Translations.DOMAIN)
 	_radius.value_changed.connect(func(metres: float) -> void: _options.radius = metres)
+	_path_width.value_changed.connect(func(metres: float) -> void: _options.width = metres)
 	_strength.value_changed.connect(func(share: float) -> void: _options.strength = share)
 	_falloff.value_changed.connect(func(share: float) -> void: _options.falloff = share)
 	_density.value_changed.connect(func(plants: float) -> void: _options.density = plants)
@@ -180,12 +182,17 @@ func _show_density() -> void:
 func _show() -> void:
 	show_message("")
 	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
-	_species.visible = _names.size() <= MAX_BUTTONS
-	_menu.visible = _names.size() > MAX_BUTTONS
+	var paints := not _options.draws_path()
+	_species.visible = paints and _names.size() <= MAX_BUTTONS
+	_menu.visible = paints and _names.size() > MAX_BUTTONS
+	_path_width.visible = not paints
+	for slider: Control in [_radius, _strength, _falloff]:
+		slider.visible = paints
 	_menu.show_painted(_options.species)
 	_show_density()
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
 	_radius.set_value_no_signal(_options.radius)
+	_path_width.set_value_no_signal(_options.width)
 	_strength.set_value_no_signal(_options.strength)
 	_falloff.set_value_no_signal(_options.falloff)
 	_plant_height.set_value_no_signal(_options.height)
@@ -196,6 +203,7 @@ func _show() -> void:
 # These sliders do not translate their labels themselves.
 func _translate() -> void:
 	_radius.label = tr("Radius")
+	_path_width.label = tr("Width")
 	_strength.label = tr("Strength")
 	_falloff.label = tr("Falloff")
 	_density.label = tr("Density")

@@ -7,6 +7,7 @@ const PlantPreview := preload("plant_preview.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")
 const HeightSlider := preload("../widgets/height_slider.gd")
 const RangeProperty := preload("range_property.gd")
+const AreaBar := preload("area_bar.gd")
 const WordedProperty := preload("worded_property.gd")
 const PartsEditor := preload("../parts/parts_editor.gd")
 const ProfilePlot := preload("../widgets/profile_plot.gd")
@@ -15,6 +16,7 @@ const FirstDrawing := preload("first_drawing.gd")
 const Translations := preload("../translations/translations.gd")
 const PREVIEW := preload("plant_preview.tscn")
 const WIND_VIEW := preload("wind_inspector_view.tscn")
+const AREA := "Area"
 const HEIGHT := "height"
 const PARTS := "arrangements"
 ## Classes with ranges or words.
@@ -22,6 +24,7 @@ const CLASSES: Array[StringName] = [
 	&"PlantFunction",
 	&"PlantWind",
 	&"Plant3D",
+	&"PlantField3D",
 	&"PlantArrangement",
 	&"PlantPart",
 	&"PlantStem",
@@ -57,6 +60,13 @@ func _parse_begin(object: Object) -> void:
 	var curves := object as CurvePlantFunction
 	if curves and FirstDrawing.is_missing(curves):
 		_offer_drawing(curves)
+
+
+func _parse_group(object: Object, group: String) -> void:
+	if object is PlantField3D and group == AREA:
+		var bar := AreaBar.new()
+		bar.setup(object as PlantField3D)
+		add_custom_control(bar)
 
 
 func _parse_property(

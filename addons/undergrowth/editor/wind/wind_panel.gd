@@ -41,6 +41,7 @@ func setup(state: EditorState, plugin: EditorPlugin) -> void:
 	_connect_controls()
 	_follow(plugin)
 	_translate()
+	_apply_theme()
 	_show_wind()
 
 
@@ -84,12 +85,16 @@ func _connect_controls() -> void:
 
 
 func _notification(what: int) -> void:
-	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_inspect.icon = get_theme_icon(&"Tools", &"EditorIcons")
+	if what == NOTIFICATION_THEME_CHANGED and _state:
+		_apply_theme()
 	elif what == NOTIFICATION_TRANSLATION_CHANGED and _state:
 		_translate()
 		_show_wind()
 		_choose_wind_soon()
+
+
+func _apply_theme() -> void:
+	_inspect.icon = get_theme_icon(&"Tools", &"EditorIcons")
 
 
 # These sliders do not translate their labels themselves.
