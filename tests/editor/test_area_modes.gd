@@ -11,6 +11,7 @@ const PAINTED := AreaModes.Mode.PAINTED
 
 func test_a_new_field_is_a_rectangle() -> void:
 	await _shown_field()
+	check(find_by_script(BAR).is_visible_in_tree(), "the buttons are visible at once")
 	check_equal(_pressed(), [RECTANGLE], "pressed buttons")
 	check(_is_shown(&"size") and not _is_shown(&"outline_width"), "properties of a rectangle")
 

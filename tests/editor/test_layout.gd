@@ -28,7 +28,7 @@ func test_every_tab_beside_the_inspector_stays_visible() -> void:
 		check(bar.get_tab_title(i) != "Undergrowth", "it takes no tab from the inspector")
 
 
-func test_two_rows_of_tiles_are_seen() -> void:
+func test_pictures_of_two_rows_of_tiles_are_seen() -> void:
 	await open_panel()
 	tiles().get_v_scroll_bar().value = 0
 	await frames(2)
@@ -36,7 +36,7 @@ func test_two_rows_of_tiles_are_seen() -> void:
 	while tiles().get_item_rect(columns).position.y == tiles().get_item_rect(0).position.y:
 		columns += 1
 	check(columns >= 7, "%d columns" % columns)
-	var end := tiles().get_item_rect(columns).end.y
+	var end := tiles().get_item_rect(columns).position.y + tiles().fixed_icon_size.y
 	check(end <= tiles().size.y, "the second row ends at %f of %f" % [end, tiles().size.y])
 
 
@@ -108,7 +108,9 @@ func test_messages_move_no_button() -> void:
 	var before := (part("Browser/Actions/Add") as Control).global_position
 	_state().report(LONG, EditorState.Severity.ERROR)
 	await frames(3)
-	check_equal((part("Browser/Actions/Add") as Control).global_position, before, "a button's place")
+	check_equal(
+		(part("Browser/Actions/Add") as Control).global_position, before, "a button's place"
+	)
 	check_equal((part("Status/Text") as Label).tooltip_text, LONG, "all of it is in the tooltip")
 	var text := part("Status/Text") as Label
 	check_equal(text.get_visible_line_count(), text.get_line_count(), "lines of it that are seen")

@@ -235,14 +235,16 @@ func test_a_stem_has_its_properties_and_bones() -> void:
 
 
 func _shows(property: String) -> bool:
-	for editor: EditorProperty in EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false):
+	var inspector := EditorInterface.get_inspector()
+	for editor: EditorProperty in inspector.find_children("*", "EditorProperty", true, false):
 		if editor.get_edited_property() == property:
 			return true
 	return false
 
 
 func _find_slider(property: String) -> EditorSpinSlider:
-	for editor: EditorProperty in EditorInterface.get_inspector().find_children("*", "EditorProperty", true, false):
+	var inspector := EditorInterface.get_inspector()
+	for editor: EditorProperty in inspector.find_children("*", "EditorProperty", true, false):
 		if editor.get_edited_property() == property:
 			return editor.find_children("*", "EditorSpinSlider", true, false)[0]
 	return null

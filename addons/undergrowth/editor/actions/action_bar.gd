@@ -1,6 +1,7 @@
 @tool
 extends HFlowContainer
-## The panel's actions for the chosen species or mix: adds it to the scene, saves or bakes a species.
+## The panel's actions for the chosen species or mix: adds it to the scene, saves or bakes a
+## species.
 
 ## Emitted when the chosen species was saved to a file and that file is chosen.
 signal saved(entry: SpeciesEntry)

@@ -54,6 +54,7 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_bar.setup(options)
 	_bar.fill_wanted.connect(_on_fill_wanted)
 	_bar.place_wanted.connect(_on_place_wanted)
+	_bar.flat_wanted.connect(_on_flat_wanted)
 	_bar.hide()
 	_settings = (load(folder.path_join(SETTINGS_SCENE)) as PackedScene).instantiate()
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
@@ -92,6 +93,7 @@ func edit(field: PlantField3D) -> void:
 	else:
 		options.tool = BrushOptions.Tool.NONE
 	_bar.visible = field != null
+	_show_ground()
 	_choice.edit(field)
 	_hide_circle()
 
@@ -280,6 +282,17 @@ func _on_place_wanted() -> void:
 	)
 
 
+func _on_flat_wanted(on: bool) -> void:
+	if _field:
+		FieldPlacing.keep_flat(_plugin.get_undo_redo(), _field, on)
+
+
+func _show_ground() -> void:
+	if _field:
+		var is_flat := _field.ground_mode == PlantField3D.GROUND_NONE
+		_bar.show_ground(is_flat, FieldPlacing.is_kept_flat(_field))
+
+
 func _on_fill_wanted() -> void:
 	if _field:
 		_field.rebuild()
@@ -289,6 +302,7 @@ func _on_fill_wanted() -> void:
 func _on_history_changed() -> void:
 	if _field and not _stroke:
 		_choice.refresh()
+		_show_ground()
 
 
 # Once per frame, for any number of pointer events.

@@ -20,7 +20,8 @@ static func add_trail(undo: EditorUndoRedoManager, field: PlantField3D, drawn: D
 	undo.commit_action()
 
 
-## Makes the path the area of [param field]: a closed one is a bed, an open one a hedge with a width.
+## Makes the path the area of [param field]: a closed one is a bed, an open one a hedge with a
+## width.
 static func set_area(undo: EditorUndoRedoManager, field: PlantField3D, drawn: DrawnPath) -> void:
 	var closed := drawn.is_closed()
 	var title := Translations.text("Draw Bed") if closed else Translations.text("Draw Hedge")

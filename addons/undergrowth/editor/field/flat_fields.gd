@@ -76,13 +76,17 @@ func _check_next() -> bool:
 func _check(field: PlantField3D) -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var gap := 0.0
-	if root and field.ground_mode == PlantField3D.GROUND_NONE:
+	var is_flat := field.ground_mode == PlantField3D.GROUND_NONE
+	if root and is_flat and not FieldPlacing.is_kept_flat(field):
 		gap = find_gap(root, field) if ScenePlants.is_saved_with(root, field) else 0.0
 	var id := field.get_instance_id()
 	if gap > TOLERANCE:
 		_advised[id] = true
-		var text := Translations.text(
-			"This flat field is up to %s m off the ground. Press Place on Ground in the toolbar."
+		var text := (
+			Translations
+			. text(
+				"This flat field is up to %s m off the ground. Press Place on Ground or Keep Flat above."
+			)
 		)
 		field.call(&"_advise", text % String.num(gap, 1))
 	elif _advised.erase(id):

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Runs a task in the frames after each step of undo and each change of the scene. It waits while the
-## left mouse button is pressed, because sliders create steps while the user drags them.
+## Runs a task in the frames after each step of undo and each change of the scene. It waits while
+## the left mouse button is pressed, because sliders create steps while the user drags them.
 
 var _plugin: EditorPlugin
 var _begin: Callable

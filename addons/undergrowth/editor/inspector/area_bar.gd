@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## Buttons above the area of a field in the inspector: rectangle, path, or painted.
+## Buttons at the top of a field's inspector for its area: rectangle, path, or painted.
 
 const AreaModes := preload("../field/area_modes.gd")
 const Translations := preload("../translations/translations.gd")

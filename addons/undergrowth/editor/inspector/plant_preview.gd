@@ -281,7 +281,9 @@ func _add_overlay(plant: Plant3D, lines: ArrayMesh, color: Color) -> void:
 # Without Ctrl the wheel scrolls the inspector.
 func _on_view_input(event: InputEvent) -> void:
 	var button := event as InputEventMouseButton
-	var is_wheel := button and button.button_index in [MOUSE_BUTTON_WHEEL_UP, MOUSE_BUTTON_WHEEL_DOWN]
+	var is_wheel := (
+		button and button.button_index in [MOUSE_BUTTON_WHEEL_UP, MOUSE_BUTTON_WHEEL_DOWN]
+	)
 	if is_wheel and not button.ctrl_pressed:
 		return
 	if _camera.handle(event, EditorInterface.get_editor_scale()):

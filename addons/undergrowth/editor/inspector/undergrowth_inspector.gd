@@ -1,7 +1,8 @@
 @tool
 extends EditorInspectorPlugin
 ## Adds a moving plant, the outline of its stem, and the tree of its parts above a species'
-## properties, and the force over time above a wind's. Shows ranges as one control, and numbers below 0 as what they mean.
+## properties, the force over time above a wind's, and the kinds of area above a field's. Shows
+## ranges as one control, and numbers below 0 as what they mean.
 
 const PlantPreview := preload("plant_preview.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")
@@ -16,7 +17,7 @@ const FirstDrawing := preload("first_drawing.gd")
 const Translations := preload("../translations/translations.gd")
 const PREVIEW := preload("plant_preview.tscn")
 const WIND_VIEW := preload("wind_inspector_view.tscn")
-const AREA := "Area"
+const FIELD := "PlantField3D"
 const HEIGHT := "height"
 const PARTS := "arrangements"
 ## Classes with ranges or words.
@@ -62,8 +63,9 @@ func _parse_begin(object: Object) -> void:
 		_offer_drawing(curves)
 
 
-func _parse_group(object: Object, group: String) -> void:
-	if object is PlantField3D and group == AREA:
+# Above the folded groups.
+func _parse_category(object: Object, category: String) -> void:
+	if object is PlantField3D and category == FIELD:
 		var bar := AreaBar.new()
 		bar.setup(object as PlantField3D)
 		add_custom_control(bar)

@@ -119,7 +119,9 @@ func _may_set(root: Node, plants: Array[Node3D]) -> bool:
 		_state.report(tr("Open a scene first; then its plants can have this wind."), WARNING)
 		return false
 	if plants.is_empty():
-		_state.report(tr("The scene has no plants yet. Add one from the panel Undergrowth."), WARNING)
+		_state.report(
+			tr("The scene has no plants yet. Add one from the panel Undergrowth."), WARNING
+		)
 		return false
 	for plant in plants:
 		if not ScenePlants.is_saved_with(root, plant):
