@@ -15,8 +15,8 @@ const COUNT := 1
 const COLOR := 2
 const EYE := 3
 ## Widths in pixels at 100 %.
-const COUNT_WIDTH := 54
-const COLOR_WIDTH := 30
+const COUNT_WIDTH := 62
+const COLOR_WIDTH := 28
 const EYE_WIDTH := 26
 const SWATCH := Vector2(22, 12)
 const DIM := 0.45
