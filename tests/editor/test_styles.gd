@@ -58,6 +58,9 @@ func test_the_popup_for_wind() -> void:
 		_state().wind.speed = 6.0
 		await frames(60)
 		check_nothing_is_cut(wind_panel(), kind[1])
+		var view := EditorInterface.get_editor_viewport_3d(0).get_parent() as Control
+		var frame := (wind_panel().get_parent() as Control).get_global_rect()
+		check(view.get_global_rect().encloses(frame), "within the view: %s" % frame)
 		await take_style(kind[1])
 	await close_wind()
 	_state().wind.kind = PlantWind.KIND_WAVES

@@ -148,6 +148,25 @@ func test_the_inspector_folds_the_analysis_of_air() -> void:
 	EditorInterface.edit_node(null)
 
 
+func test_names_of_air_fit_in_the_inspector() -> void:
+	EditorInterface.edit_resource(PlantWind.new())
+	(EditorInterface.get_inspector().get_edited_object() as PlantWind).kind = PlantWind.KIND_AIR
+	await open_inspector()
+	await frames(10)
+	var count := 0
+	var inspector := EditorInterface.get_inspector()
+	for property: EditorProperty in inspector.find_children("*", "EditorProperty", true, false):
+		if property.get_edited_object() is PlantWind and property.is_visible_in_tree():
+			var font := property.get_theme_font(&"font", &"Tree")
+			var font_size := property.get_theme_font_size(&"font_size", &"Tree")
+			var width := font.get_string_size(property.label, 0, -1, font_size).x
+			var room := property.size.x * property.name_split_ratio
+			check(width < room, "%s is %f wide of %f" % [property.label, width, room])
+			count += 1
+	check(count >= 8, "%d properties" % count)
+	EditorInterface.edit_node(null)
+
+
 func _find_in_inspector(name: String) -> Control:
 	return EditorInterface.get_inspector().find_children(name, "", true, false)[0] as Control
 

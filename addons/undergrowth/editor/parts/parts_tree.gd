@@ -18,6 +18,7 @@ const EYE := 3
 const COUNT_WIDTH := 62
 const COLOR_WIDTH := 28
 const EYE_WIDTH := 26
+const INDENT := 10
 const SWATCH := Vector2(22, 12)
 const DIM := 0.45
 
@@ -46,6 +47,7 @@ func setup(function: PlantFunction, steps: PartSteps) -> void:
 	set_column_custom_minimum_width(COLOR, int(COLOR_WIDTH * scale_factor))
 	set_column_custom_minimum_width(EYE, int(EYE_WIDTH * scale_factor))
 	set_column_clip_content(NAME, true)
+	add_theme_constant_override(&"item_margin", int(INDENT * scale_factor))
 	item_mouse_selected.connect(_on_mouse_selected)
 	cell_selected.connect(_on_cell_selected)
 	item_edited.connect(_on_item_edited)

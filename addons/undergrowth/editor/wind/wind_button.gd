@@ -30,10 +30,8 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_frame.add_child(_panel)
 	EditorInterface.get_editor_viewport_3d(0).get_parent().get_parent().add_child(_frame)
 	_panel.setup(state, plugin)
-	_frame.set_anchors_preset(PRESET_TOP_RIGHT)
-	_frame.grow_horizontal = GROW_DIRECTION_BEGIN
-	var place := PLACE * EditorInterface.get_editor_scale()
-	_frame.position = Vector2(_frame.get_parent_control().size.x - place.x - _frame.size.x, place.y)
+	_frame.get_parent_control().resized.connect(_place)
+	_frame.resized.connect(_place)
 	toggled.connect(func(_on: bool) -> void: _show())
 	visibility_changed.connect(_show)
 	_apply_theme()
@@ -55,3 +53,12 @@ func _apply_theme() -> void:
 
 func _show() -> void:
 	_frame.visible = button_pressed and is_visible_in_tree()
+	_place()
+
+
+# At the right border of the view, and within a low one.
+func _place() -> void:
+	var view := _frame.get_parent_control().size
+	var gap := PLACE * EditorInterface.get_editor_scale()
+	var lowest := view.y - _frame.size.y - gap.x
+	_frame.position = Vector2(view.x - _frame.size.x - gap.x, clampf(gap.y, 0.0, maxf(lowest, 0.0)))
