@@ -118,6 +118,20 @@ func test_messages_move_no_button() -> void:
 	_state().report("")
 
 
+func test_warnings_of_a_hidden_panel_are_toasts() -> void:
+	await open_panel()
+	((dock().get_parent() as EditorDock).get_parent() as TabContainer).current_tab = -1
+	await frames(3)
+	_state().report(LONG, EditorState.Severity.WARNING)
+	await frames(3)
+	var toaster := EditorInterface.get_editor_toaster()
+	var labels := toaster.find_children("*", "Label", true, false)
+	var says_it := func(label: Label) -> bool: return label.text.contains(LONG)
+	check(labels.any(says_it), "%d texts of toasts" % labels.size())
+	await open_panel()
+	_state().report("")
+
+
 func test_a_plants_height_of_0_is_by_species() -> void:
 	await _open_garden()
 	var plant := EditorInterface.get_edited_scene_root().get_node("Poppy") as Plant3D

@@ -15,7 +15,7 @@ const Translations := preload("../translations/translations.gd")
 
 ## Icons of the editor, by tool.
 const ICONS: Array[StringName] = [
-	&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick", &"Line2D", &"Path3D"
+	&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick", &"CurveInOut", &"CurveClose"
 ]
 const FILL_ICON := &"Reload"
 const PLACE_ICON := &"Snap"

@@ -42,6 +42,8 @@ func _add(title: String, hint: String) -> void:
 	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
 	button.toggle_mode = true
 	button.size_flags_horizontal = SIZE_EXPAND_FILL
+	for state: StringName in [&"icon_pressed_color", &"icon_hover_pressed_color"]:
+		button.add_theme_color_override(state, Color.WHITE)  # These icons have colours.
 	button.pressed.connect(_on_pressed.bind(_buttons.size()))
 	_buttons.append(button)
 	add_child(button)
