@@ -97,8 +97,9 @@ func _rects_of(names: Array[String]) -> Dictionary[String, Rect2]:
 
 
 func test_a_gust_is_added() -> void:
-	await _open_scene()
-	var wind := _wind()
+	var plants := await _open_scene()
+	var wind := plants[0].wind
+	check(_wind() == wind, "the panel edits the wind of the scene")
 	wind.kind = PlantWind.KIND_GUST
 	wind.gust_duration = 60.0  # For a machine of any speed.
 	await _press_button("Gust")

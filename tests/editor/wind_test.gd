@@ -57,6 +57,8 @@ func _open_scene() -> Array[Plant3D]:
 	_scene_count += 1
 	_scene_file = SCENE_FILES % _scene_count
 	_save_scene(root, _scene_file)
+	if _scene_file in EditorInterface.get_open_scenes():  # Of another script.
+		EditorInterface.reload_scene_from_path(_scene_file)
 	EditorInterface.open_scene_from_path(_scene_file)
 	EditorInterface.set_main_screen_editor("3D")
 	await frames(10)
