@@ -1,6 +1,6 @@
 @tool
 extends EditorPlugin
-## Adds the dock "Undergrowth", previews in the inspector, gizmos and thumbnails to the editor, and
+## Adds the panel "Undergrowth", previews in the inspector, gizmos and thumbnails to the editor, and
 ## takes everything away again when switched off.
 
 # Loaded when needed: without the library none of these scripts can be compiled.
@@ -11,7 +11,8 @@ const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
 const FIELD_GIZMOS := "editor/gizmo/field_gizmos.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", FIELD_GIZMOS]
-const SWAY := "editor/wind_page/sway_button.gd"
+const WIND := "editor/wind/wind_button.gd"
+const SWAY := "editor/wind/sway_button.gd"
 const BRUSH := "editor/brush/field_brush.gd"
 const DROP_AREA := "editor/field/drop_area.gd"
 const GROUND_WATCH := "editor/field/ground_watch.gd"
@@ -26,17 +27,15 @@ const FIELD_CLASS := &"PlantField3D"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
-## Width of a screen in pixels at 100 % from which on the dock has a column of its own. On another
-## one it would squeeze the inspector until its names are cut.
-const ROOMY_SCREEN := 2400.0
 
 var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
 var _gizmos: Array[EditorNode3DGizmoPlugin] = []
 # Where gizmos go whose node is no more.
 var _placeholder: Node3D
-# The button *Sway* in the toolbar of the 3D view: editor/wind_page/sway_button.gd.
+# The buttons *Sway* and *Wind* in the toolbar of the 3D view.
 var _sway: Button
+var _wind: Button
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
 # Take mixes and species that are dropped on the 3D views: editor/field/drop_area.gd.
@@ -76,10 +75,15 @@ func _exit_tree() -> void:
 	if not _dock:
 		return
 	remove_inspector_plugin(_inspector)
+	var inspected := EditorInterface.get_inspector().get_edited_object()
+	if inspected:
+		inspected.notify_property_list_changed()  # Takes the add-on's controls away.
 	_remove_gizmos()
 	_sway.call(&"close", self)
-	remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, _sway)
-	_sway.queue_free()
+	_wind.call(&"close")
+	for button: Button in [_sway, _wind]:
+		remove_control_from_container(CONTAINER_SPATIAL_EDITOR_MENU, button)
+		button.queue_free()
 	_brush.call(&"close")
 	_brush = null
 	for area in _drop_areas:
@@ -167,7 +171,7 @@ func _add_dock() -> void:
 	_dock.name = "Undergrowth"
 	_dock.title = "Undergrowth"
 	_dock.layout_key = "Undergrowth"
-	_dock.default_slot = _choose_slot()
+	_dock.default_slot = EditorDock.DOCK_SLOT_BOTTOM
 	_dock.available_layouts = EditorDock.DOCK_LAYOUT_ALL
 	var icon := _folder().path_join(DOCK_ICON)
 	if ResourceLoader.exists(icon):
@@ -177,21 +181,11 @@ func _add_dock() -> void:
 	content.call(&"setup", self)
 
 
-# A column of its own beside the inspector where the screen has room for it, else a tab beside its.
-func _choose_slot() -> EditorDock.DockSlot:
-	var width := DisplayServer.screen_get_usable_rect().size.x / EditorInterface.get_editor_scale()
-	if width >= ROOMY_SCREEN:
-		return EditorDock.DOCK_SLOT_RIGHT_UR
-	return EditorDock.DOCK_SLOT_RIGHT_UL
-
-
 func _add_helpers() -> void:
 	_inspector = (_load(INSPECTOR) as GDScript).new()
 	add_inspector_plugin(_inspector)
 	_add_gizmos()
-	_sway = (_load(SWAY) as GDScript).new()
-	add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, _sway)
-	_sway.call(&"setup", self, _dock_state())
+	_add_wind()
 	_brush = (_load(BRUSH) as GDScript).new()
 	_brush.call(&"setup", self, _dock_state())
 	_gizmos[GIZMOS.find(FIELD_GIZMOS)].set(&"brush_options", _brush.get(&"options"))
@@ -211,7 +205,16 @@ func _add_helpers() -> void:
 	add_export_plugin(_export_check)
 
 
-# State that the dock's pages share: editor/editor_state.gd.
+func _add_wind() -> void:
+	_sway = (_load(SWAY) as GDScript).new()
+	_wind = (_load(WIND) as GDScript).new()
+	_sway.set(&"wind_button", _wind)
+	for button: Button in [_sway, _wind]:
+		add_control_to_container(CONTAINER_SPATIAL_EDITOR_MENU, button)
+		button.call(&"setup", self, _dock_state())
+
+
+# State that all parts share: editor/editor_state.gd.
 func _dock_state() -> RefCounted:
 	return _dock.get_child(0).get(&"state")
 

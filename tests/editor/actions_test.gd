@@ -12,7 +12,7 @@ const LIGHT := "Light"
 ## only, and no scene sways at first.
 func run(test: String) -> void:
 	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
-	var surroundings := part("Plant/Actions/Surroundings") as CheckBox
+	var surroundings := part("Browser/Actions/Surroundings") as CheckBox
 	surroundings.button_pressed = false
 	_state().choose_sway(true)
 	_state().sways = false
@@ -24,6 +24,7 @@ func run(test: String) -> void:
 ## Saves a picture of the editor's window with a dialog.
 func take_dialog_picture(dialog: Window, name: String) -> void:
 	await frames(3)
+	EditorInterface.get_base_control().queue_redraw()  # Without any movement no frame is drawn.
 	await RenderingServer.frame_post_draw
 	if not pictures_folder.is_empty():
 		dialog.get_texture().get_image().save_png(pictures_folder.path_join("dialog_%s.png" % name))
@@ -54,29 +55,18 @@ func _hint(dialog: Window) -> String:
 
 
 func _use(action: String) -> void:
-	await click(part("Plant/Actions/" + action) as Control)
+	await click(part("Browser/Actions/" + action) as Control)
 	await frames(3)
 
 
 func _choose(title: String) -> void:
-	await open_page("Plant")
-	var found := find_item(title)
-	check(found[0] != null, title + " is listed")
-	if found[0]:
-		await click_item(found[0], found[1])
+	await choose_tile(title)
 	check_equal(_state().title, title, "chosen species")
-
-
-func _lists(list: ItemList, path: String) -> bool:
-	for i in list.item_count:
-		if list.get_item_tooltip(i) == path:
-			return true
-	return false
 
 
 ## Returns the visible dialog of the action bar of that class.
 func _dialog(kind: String) -> Window:
-	for child in part("Plant/Actions").get_children(true):
+	for child in part("Browser/Actions").get_children(true):
 		if child.is_class(kind) and (child as Window).visible:
 			return child
 	return null

@@ -2,12 +2,13 @@
 extends "editor_hands.gd"
 ## Base of the editor tests: the dock and its parts.
 
-## The lists of the plant page, from top to bottom.
-const LISTS: Array[String] = ["MixList", "ReadyList", "SimpleList", "ProjectList"]
 const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
+const PREVIEW_SCRIPT := "res://addons/undergrowth/editor/inspector/plant_preview.gd"
+const PLOT_SCRIPT := "res://addons/undergrowth/editor/widgets/profile_plot.gd"
+const WIND_BUTTON_SCRIPT := "res://addons/undergrowth/editor/wind/wind_button.gd"
 
 
-## Returns the dock's content, or null if the plugin is off.
+## Returns the panel's content, or null if the plugin is off.
 func dock() -> Control:
 	return find_by_script(DOCK_SCRIPT)
 
@@ -19,7 +20,7 @@ func find_by_script(path: String) -> Control:
 	return found[0] if found else null
 
 
-## Returns the node of the dock with that unique name. `part("Plant/List/ReadyList")` follows nested
+## Returns the node of the panel with that unique name. `part("Browser/List/Tiles")` follows nested
 ## scenes.
 func part(path: String) -> Node:
 	var node: Node = dock()
@@ -28,14 +29,63 @@ func part(path: String) -> Node:
 	return node
 
 
-## Shows the dock and the page of that name (Plant or Wind).
-func open_page(name: String) -> void:
+## Returns the tiles of mixes and species.
+func tiles() -> ItemList:
+	return part("Browser/List/Tiles") as ItemList
+
+
+## Returns a node of the preview in the inspector by its unique name.
+func preview_part(name: String) -> Node:
+	return find_by_script(PREVIEW_SCRIPT).get_node("%" + name)
+
+
+## Returns the points of the stem's outline in the inspector.
+func plot_points() -> Control:
+	return find_by_script(PLOT_SCRIPT).get_node("Points") as Control
+
+
+## Returns the content of the wind's panel.
+func wind_panel() -> Control:
+	return find_by_script(WIND_BUTTON_SCRIPT).get("_panel")
+
+
+## Returns a node of the wind's panel by its unique name.
+func wind_part(name: String) -> Node:
+	return wind_panel().get_node("%" + name)
+
+
+## Shows the panel with all tiles.
+func open_panel() -> void:
 	(dock().get_parent() as EditorDock).make_visible()
+	(part("Browser/List/All") as Button).button_pressed = true
 	await frames(2)
-	var pages := part("Pages") as TabContainer
-	var index := pages.get_tab_idx_from_control(part(name) as Control)
-	var bar := pages.get_tab_bar()
-	await click(bar, bar.get_tab_rect(index).get_center())
+
+
+## Shows the wind's panel. The edited scene has plants.
+func open_wind() -> void:
+	if wind_panel().is_visible_in_tree():
+		return
+	EditorInterface.set_main_screen_editor("3D")
+	await frames(2)
+	await click(find_by_script(WIND_BUTTON_SCRIPT))
+	await frames(3)
+	check(wind_panel().is_visible_in_tree(), "the panel of the wind is open")
+
+
+func close_wind() -> void:
+	if wind_panel().is_visible_in_tree():
+		await click(find_by_script(WIND_BUTTON_SCRIPT))
+
+
+## Opens the species of the panel called [param title] in the inspector with a double click.
+func inspect(title: String) -> void:
+	await open_panel()
+	var index := find_tile(title)
+	check(index >= 0, title + " is listed")
+	if index >= 0:
+		await reveal_tile(index)
+		await double_click(tiles(), place_of_tile(index))
+		await frames(5)
 
 
 ## Shows the editor's inspector in front of the dock, which is in the next tab.
@@ -47,40 +97,60 @@ func open_inspector() -> void:
 	await frames(2)
 
 
-## Clicks an item of a list at any scroll position.
-func click_item(list: ItemList, index: int) -> void:
-	await reveal_item(list, index)
-	await click(list, list.get_item_rect(index).get_center())
+## Clicks the tile at any scroll position.
+func click_tile(index: int) -> void:
+	await reveal_tile(index)
+	await click(tiles(), place_of_tile(index))
 
 
-## Unfolds the group of a list and scrolls to one of its items.
-func reveal_item(list: ItemList, index: int) -> void:
-	var above: Node = list.get_parent()
-	while above is not ScrollContainer:
-		if above is FoldableContainer:
-			(above as FoldableContainer).folded = false
-		above = above.get_parent()
+## Clicks the tile called [param title]. Returns false if there is none.
+func choose_tile(title: String) -> bool:
+	await open_panel()
+	var index := find_tile(title)
+	check(index >= 0, title + " is listed")
+	if index >= 0:
+		await click_tile(index)
+	return index >= 0
+
+
+## Returns the middle of a visible tile.
+func place_of_tile(index: int) -> Vector2:
+	var scrolled := Vector2(0.0, tiles().get_v_scroll_bar().value)
+	return tiles().get_item_rect(index).get_center() - scrolled
+
+
+## Scrolls to a tile.
+func reveal_tile(index: int) -> void:
+	var bar := tiles().get_v_scroll_bar()
+	var row := tiles().get_item_rect(index)
+	bar.value = row.position.y
 	await frames(2)
-	var scroll := above as ScrollContainer
-	var at := list.get_global_rect().position.y + list.get_item_rect(index).position.y
-	scroll.scroll_vertical += int(at - scroll.get_global_rect().position.y)
-	await frames(2)
 
 
-## Returns the title of an item, of any number of lines.
-func item_title(list: ItemList, index: int) -> String:
-	return list.get_item_text(index).replace("\n", " ")
+## Returns the title of a tile, of any number of lines.
+func tile_title(index: int) -> String:
+	return tiles().get_item_text(index).replace("\n", " ")
 
 
-## Returns the list of the plant page with an item called [param title], and its index, or [null,
-## -1].
-func find_item(title: String) -> Array:
-	for name: String in LISTS:
-		var list := part("Plant/List/" + name) as ItemList
-		for i in list.item_count:
-			if item_title(list, i) == title:
-				return [list, i]
-	return [null, -1]
+## Returns the file or the class of a tile.
+func tile_key(index: int) -> String:
+	return tiles().get_item_metadata(index).get("key")
+
+
+## Returns the index of the tile called [param title], or -1.
+func find_tile(title: String) -> int:
+	for i in tiles().item_count:
+		if tile_title(i) == title:
+			return i
+	return -1
+
+
+## Returns the index of the tile of a file or a class, or -1.
+func find_key(key: String) -> int:
+	for i in tiles().item_count:
+		if tile_key(i) == key:
+			return i
+	return -1
 
 
 func _collect(node: Node, script_path: String, found: Array[Node]) -> void:

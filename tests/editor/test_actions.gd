@@ -9,7 +9,7 @@ const TABLE_TOP := 1.5
 
 
 func test_without_a_scene_the_dock_gives_advice() -> void:
-	await open_page("Plant")
+	await open_panel()
 	await _choose("Tulip")
 	await _close_all_scenes()
 	check(EditorInterface.get_edited_scene_root() == null, "no scene is open")
@@ -21,7 +21,7 @@ func test_without_a_scene_the_dock_gives_advice() -> void:
 
 func test_add_is_one_step() -> void:
 	await _open_scene(SCENE, _make_scene())
-	await open_page("Plant")
+	await open_panel()
 	await _choose("Tulip")
 	var text_before := _saved_text()
 	await _use("Add")
@@ -119,7 +119,7 @@ func test_a_root_that_is_no_node3d_takes_plants() -> void:
 	var root := Control.new()
 	root.name = "Menu"
 	await _open_scene(CONTROL_SCENE, root)
-	await open_page("Plant")
+	await open_panel()
 	await _use("Add")
 	check_equal(EditorInterface.get_edited_scene_root().get_child_count(), 1, "children")
 	await undo()

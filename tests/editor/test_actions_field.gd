@@ -6,7 +6,7 @@ const SCENE := "res://actions_field.tscn"
 
 
 func test_assign_lets_a_species_grow_in_a_field() -> void:
-	await open_page("Plant")
+	await open_panel()
 	var field := await _open_field()
 	var density := field.density
 	_select([field])

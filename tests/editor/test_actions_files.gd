@@ -28,15 +28,15 @@ func test_save_as_keeps_edits_and_is_listed() -> void:
 	check_equal(_state().path, SAVED, "it is chosen")
 	var read := ResourceLoader.load(SAVED, "", ResourceLoader.CACHE_MODE_IGNORE) as TulipFunction
 	check_equal(read.natural_frequency, 1.25, "its frequency")
-	var list := part("Plant/List/ProjectList") as ItemList
-	check(await until(func() -> bool: return _lists(list, SAVED)), "the list finds it")
+	check(await until(func() -> bool: return find_key(SAVED) >= 0), "the list finds it")
+	check(EditorInterface.get_inspector().get_edited_object() == load(SAVED), "it can be edited")
 
 
 func test_saving_over_a_species_changes_it_where_it_is_used() -> void:
 	var used := load(SAVED) as TulipFunction
 	await _choose("Tulip")
 	_state().function.natural_frequency = 2.5
-	part("Plant/Actions").call(&"save_as", SAVED)
+	part("Browser/Actions").call(&"save_as", SAVED)
 	check_equal(used.natural_frequency, 2.5, "frequency where it was in use")
 	check(_state().function == used, "the same is chosen")
 	var plant := Plant3D.new()
@@ -50,7 +50,7 @@ func test_write_errors_are_reported_and_nothing_is_lost() -> void:
 	await _choose("Reed")
 	var function := _state().function
 	for path: String in [BLOCKER + "/reed.tres", "/proc/reed.tres", "user://reed.tres"]:
-		part("Plant/Actions").call(&"save_as", path)
+		part("Browser/Actions").call(&"save_as", path)
 		check(
 			_message().length() > 20 and not FileAccess.file_exists(path), path + ": " + _message()
 		)
@@ -60,7 +60,7 @@ func test_write_errors_are_reported_and_nothing_is_lost() -> void:
 
 
 func test_new_species_is_written_opened_and_chosen() -> void:
-	await click(part("Plant/List/New") as Control)
+	await click(part("Browser/List/New") as Control)
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	check(dialog.get_ok_button().disabled, "nothing to create without a name")
 	var title := dialog.get_node("%Title") as LineEdit
@@ -81,12 +81,11 @@ func test_new_species_is_written_opened_and_chosen() -> void:
 	check(open and open.resource_path == NEW_SCRIPT, "it is open in the script editor")
 	var source := FileAccess.get_file_as_string(NEW_SCRIPT)
 	check(source.contains("class_name " + NEW_CLASS), "its class")
-	var list := part("Plant/List/ProjectList") as ItemList
-	check(await until(func() -> bool: return _lists(list, NEW_SCRIPT)), "the list finds it")
+	check(await until(func() -> bool: return find_key(NEW_SCRIPT) >= 0), "the list finds it")
 
 
 func test_a_second_species_of_that_name_is_refused() -> void:
-	await click(part("Plant/List/New") as Control)
+	await click(part("Browser/List/New") as Control)
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	await _type_into(dialog, dialog.get_node("%Title") as LineEdit, NEW_TITLE)
 	check(dialog.get_ok_button().disabled, "it cannot be created")
@@ -107,11 +106,8 @@ func test_a_species_of_one_s_own_goes_into_the_scene() -> void:
 	await _open_scene(SCENE, garden)
 	var root := EditorInterface.get_edited_scene_root()
 	_select([root])
-	await open_page("Plant")
-	var list := part("Plant/List/ProjectList") as ItemList
-	for i in list.item_count:
-		if list.get_item_tooltip(i) == NEW_SCRIPT:
-			await click_item(list, i)
+	await open_panel()
+	await click_tile(find_key(NEW_SCRIPT))
 	check_equal(_state().path, NEW_SCRIPT, "chosen species")
 	await _use("Add")
 	var plant := root.get_child(-1) as Plant3D
@@ -140,7 +136,7 @@ func _check_read_only_folder() -> void:
 	var path := READ_ONLY.path_join("reed.tres")
 	var may_write := FileAccess.open(path, FileAccess.WRITE) != null
 	DirAccess.remove_absolute(path)
-	part("Plant/Actions").call(&"save_as", path)
+	part("Browser/Actions").call(&"save_as", path)
 	check(_message().begins_with("Saved" if may_write else "Cannot write"), _message())
 	check(_message().contains(path), "the file is named: " + _message())
 	FileAccess.set_unix_permissions(real, MAY_READ | FileAccess.UNIX_WRITE_OWNER)

@@ -12,38 +12,49 @@ const LANGUAGE := "hr"
 
 
 func test_ready_mixes_and_species_come_first() -> void:
-	await open_page("Plant")
-	var lists: Array[ItemList] = []
-	for name: String in LISTS:
-		lists.append(part("Plant/List/" + name) as ItemList)
-	_check_folder(lists[0], MIXES, "tscn")
-	_check_folder(lists[1], SPECIES, "tres")
-	check_equal(item_title(lists[2], 0), "Grass", "the thesis's species come after them")
-	for i in lists[3].item_count:
-		var path := lists[3].get_item_tooltip(i)
-		check(not path.begins_with("res://addons/"), path + " is not of the project")
-	var tops := lists.map(func(list: ItemList) -> float: return list.global_position.y)
-	check(tops[0] < tops[1] and tops[1] < tops[2], "groups are below one another: %s" % [tops])
+	await open_panel()
+	var mixes := _list_files(MIXES, "tscn")
+	var species := _list_files(SPECIES, "tres")
+	var keys: Array[String] = []
+	for i in tiles().item_count:
+		keys.append(tile_key(i))
+	check_equal(_sorted(keys.slice(0, mixes.size())), mixes, "mixes")
+	var after := mixes.size() + species.size()
+	check_equal(_sorted(keys.slice(mixes.size(), after)), species, "species")
+	check_equal(tile_title(after), "Grass", "the thesis's species come after them")
+	for i in range(after, keys.size()):
+		check(not keys[i].begins_with("res://addons/"), keys[i] + " is not of the add-on")
+
+
+func test_a_category_shows_only_its_tiles() -> void:
+	await open_panel()
+	for category: Array in [["Mixes", MIXES, "tscn"], ["Ready", SPECIES, "tres"]]:
+		await click(part("Browser/List/" + category[0]) as Control)
+		var keys: Array[String] = []
+		for i in tiles().item_count:
+			keys.append(tile_key(i))
+		check_equal(_sorted(keys), _list_files(category[1], category[2]), category[0])
+	await click(part("Browser/List/Simple") as Control)
+	check_equal(tile_title(0), "Grass", "a simple stem")
+	await click(part("Browser/List/All") as Control)
+	check(find_tile("Meadow") >= 0 and find_tile("Grass") >= 0, "all are back")
 
 
 func test_names_are_uncut_and_in_every_language() -> void:
-	check(find_item("Ox-eye Daisy")[0] != null, "a file may say what it is called")
-	check(find_item("Garden Tulip")[0] != null, "else its name is made readable")
-	for name: String in LISTS.slice(0, 3):
-		var list := part("Plant/List/" + name) as ItemList
-		var font := list.get_theme_font(&"font")
-		var font_size := list.get_theme_font_size(&"font_size")
-		for i in list.item_count:
-			for line in list.get_item_text(i).split("\n"):
-				var width := font.get_string_size(line, 0, -1, font_size).x
-				check(width <= list.fixed_column_width, "%s is cut: %d" % [line, width])
+	await open_panel()
+	check(find_tile("Ox-eye Daisy") >= 0, "a file may say what it is called")
+	check(find_tile("Garden Tulip") >= 0, "else its name is made readable")
+	var font := tiles().get_theme_font(&"font")
+	var font_size := tiles().get_theme_font_size(&"font_size")
 	var known: PackedStringArray = []
 	for translation in _domain().find_translations(LANGUAGE, false):
 		known.append_array(translation.get_message_list())
-	for name: String in LISTS.slice(0, 3):
-		var list := part("Plant/List/" + name) as ItemList
-		for i in list.item_count:
-			check(item_title(list, i) in known, item_title(list, i) + " is translated")
+	for i in tiles().item_count:
+		for line in tiles().get_item_text(i).split("\n"):
+			var width := font.get_string_size(line, 0, -1, font_size).x
+			check(width <= tiles().fixed_column_width, "%s is cut: %d" % [line, width])
+		if not tile_key(i).begins_with("res://") or tile_key(i).begins_with("res://addons/"):
+			check(tile_title(i) in known, tile_title(i) + " is translated")
 
 
 func test_files_of_plants_of_parts_are_painted() -> void:
@@ -100,23 +111,19 @@ func test_a_field_is_as_dense_as_suits_its_plants() -> void:
 	check(densities[2] > 100.0, "a lawn is densest: %s" % [densities])
 
 
-func test_a_mix_is_shown_before_it_is_used() -> void:
+func test_the_tile_of_a_mix_says_what_grows_in_it() -> void:
 	await _open_garden()
 	await _choose("Reed Bed")
 	check(_state().mix != null and not _state().function, "a mix is chosen, no species")
-	var shown := part("Plant/Preview/Plants").get_child(-1) as PlantField3D
-	check(await until(func() -> bool: return shown.get_plant_count() > 10), "a piece is shown")
-	var text := (part("Plant/Properties").get_node("%MixText") as Label).text
-	check(text.contains("Cattail"), "the dock says what grows in it: " + text)
+	var text := tiles().get_item_tooltip(find_tile("Reed Bed"))
+	check(text.contains("Cattail · "), "its tooltip: " + text)
 	for button: String in ["Add", "Assign", "Save", "Bake"]:
-		check((part("Plant/Actions/" + button) as Button).disabled, button + " is off")
+		check((part("Browser/Actions/" + button) as Button).disabled, button + " is off")
 	await frames(10)
 	await take_picture("mix")
 	await _choose("Tulip")
 	check(not _state().mix, "a species instead")
-	await frames(3)
-	check_equal(part("Plant/Preview/Plants").get_child_count(), 1, "the piece is gone")
-	check(not (part("Plant/Actions/Add") as Button).disabled, "a species can be added")
+	check(not (part("Browser/Actions/Add") as Button).disabled, "a species can be added")
 
 
 func test_a_mix_becomes_a_field_of_the_scene() -> void:
@@ -149,18 +156,18 @@ func test_a_mix_becomes_a_field_of_the_scene() -> void:
 	await undo()
 
 
-func _check_folder(list: ItemList, folder: String, ending: String) -> void:
+func _list_files(folder: String, ending: String) -> Array[String]:
 	var files: Array[String] = []
 	for file in DirAccess.get_files_at(folder):
 		if file.get_extension() == ending:
 			files.append(folder.path_join(file))
-	var listed: Array[String] = []
-	for i in list.item_count:
-		listed.append(list.get_item_tooltip(i))
-	listed.sort()
-	files.sort()
-	check_equal(listed, files, "what is listed of " + folder)
 	check(files.size() > 4, "%s has %d" % [folder, files.size()])
+	return _sorted(files)
+
+
+static func _sorted(texts: Array[String]) -> Array[String]:
+	texts.sort()
+	return texts
 
 
 func _domain() -> TranslationDomain:

@@ -13,7 +13,7 @@ const NOT_TEXTS: Array[String] = ["res://", "24, 12, 6, 3"]
 const SAMPLES: Dictionary[String, String] = {
 	"Add to Scene": "Dodaj u scenu",
 	"Strength": "Snaga",
-	"Choose a species above.": "Gore odaberite vrstu.",
+	"All": "Sve",
 }
 
 
@@ -27,14 +27,14 @@ func test_every_text_is_in_every_language() -> void:
 
 
 func test_the_dock_speaks_the_chosen_language() -> void:
-	await open_page("Plant")
+	await open_panel()
 	await _choose("Tulip")
 	var before := _domain().get_locale_override()
 	_speak(LANGUAGE)
 	await frames(3)
 	for text in SAMPLES:
-		check_equal(part("Plant/Actions").tr(text), SAMPLES[text], text)
-	var files := part("Plant/Actions").tr_n("%d file: %s", "%d files: %s", 5) % [5, "a"]
+		check_equal(part("Browser/Actions").tr(text), SAMPLES[text], text)
+	var files := part("Browser/Actions").tr_n("%d file: %s", "%d files: %s", 5) % [5, "a"]
 	check_equal(files, "5 datoteka: a", "the third plural")
 	check_equal(Translations.text("Add Plant"), "Dodavanje biljke", "name of a step")
 	await take_picture("croatian")
@@ -43,7 +43,7 @@ func test_the_dock_speaks_the_chosen_language() -> void:
 	await click((_dialog("ConfirmationDialog") as ConfirmationDialog).get_cancel_button())
 	_speak(before)
 	await frames(2)
-	check_equal(part("Plant/Actions").tr("Strength"), "Strength", "back in English")
+	check_equal(part("Browser/Actions").tr("Strength"), "Strength", "back in English")
 
 
 func test_no_text_reaches_the_editor_or_the_game() -> void:

@@ -173,7 +173,7 @@ func test_long_work_can_be_cancelled() -> void:
 	await click(dialog.get_ok_button())
 	await frames(3)
 	check((part("Status/Work") as Control).visible, "progress is shown")
-	check((part("Plant/Actions/Bake") as Button).disabled, "no second work begins")
+	check((part("Browser/Actions/Bake") as Button).disabled, "no second work begins")
 	await take_picture("baking")
 	await click(part("Status/Cancel") as Control)
 	check(await until(func() -> bool: return _message().begins_with("Cancelled")), _message())
@@ -182,7 +182,7 @@ func test_long_work_can_be_cancelled() -> void:
 		not FileAccess.file_exists(FOLDER.path_join("many_200_lod3.res")), "the last is not there"
 	)
 	check(FileAccess.file_exists(FOLDER.path_join("many_1_lod0.res")), "the first is")
-	check(not (part("Plant/Actions/Bake") as Button).disabled, "new work can begin")
+	check(not (part("Browser/Actions/Bake") as Button).disabled, "new work can begin")
 	var files := EditorInterface.get_resource_filesystem()
 	check(await until(func() -> bool: return not files.is_scanning()), "the editor knows the files")
 	await frames(5)

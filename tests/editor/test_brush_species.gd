@@ -34,6 +34,29 @@ func test_a_picked_species_comes_into_the_field_with_a_stroke() -> void:
 	await _choose_tool("Paint")
 
 
+func test_several_picked_species_come_in_with_one_stroke() -> void:
+	var field := await _edited_field()
+	await _pick(POPPY)
+	await reveal_tile(find_tile("Yarrow"))
+	holds_ctrl = true
+	await click(tiles(), place_of_tile(find_tile("Yarrow")))
+	holds_ctrl = false
+	for title: String in [POPPY, "Yarrow"]:
+		check(_species_button("+ " + title).button_pressed, title + " is offered")
+	await _choose_tool("Paint")
+	var version := _history().get_version()
+	await drag(_view(), _place_of(field, FROM), _place_of(field, TO))
+	await _rested(field)
+	check_equal(_history().get_version(), version + 1, "steps of undo")
+	check_equal(field.species.size(), 3, "species")
+	for title: String in [POPPY, "Yarrow"]:
+		check(field.map.get_density((FROM + TO) * 0.5, title) > 0.3, title + " is painted")
+	check_equal(field.map.get_density((FROM + TO) * 0.5, GRASS), 1.0, "grass was not chosen")
+	await undo()
+	check_equal(field.species.size(), 1, "species after undo")
+	await _choose_tool("Paint")
+
+
 func test_the_other_species_have_the_same_density() -> void:
 	var field := await _edited_field()
 	var grass := field.density
@@ -135,7 +158,4 @@ func _check_added(field: PlantField3D) -> void:
 
 
 func _pick(title: String) -> void:
-	await open_page("Plant")
-	var found := find_item(title)
-	check(found[0] != null, title + " is listed")
-	await click_item(found[0], found[1])
+	await choose_tile(title)

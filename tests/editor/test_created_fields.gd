@@ -87,6 +87,28 @@ func test_a_field_on_a_level_plane_has_no_warning() -> void:
 	await undo()
 
 
+func test_a_field_that_is_kept_flat_has_no_warning() -> void:
+	var root := await _open_slope(true)
+	var field := PlantField3D.new()
+	field.name = "Lilies"
+	root.add_child(field)
+	field.owner = root
+	_select([field])
+	EditorInterface.get_editor_undo_redo().history_changed.emit()
+	check(await until(func() -> bool: return _find_warning(field) != ""), "it has a warning")
+	var button := find_by_script(BAR_SCRIPT).get_node("%KeepFlat") as Button
+	await click(button)
+	check(await until(func() -> bool: return _find_warning(field) == ""), "it has none any more")
+	await undo()
+	check(await until(func() -> bool: return _find_warning(field) != ""), "undo brings it back")
+	check(not button.button_pressed, "the button is up")
+	await redo()
+	check(await until(func() -> bool: return _find_warning(field) == ""), "redo takes it away")
+	check_equal(EditorInterface.save_scene(), OK, "saving")
+	var saved := FileAccess.get_file_as_string(SCENE)
+	check(saved.contains("_undergrowth_keep_flat"), "the scene keeps it")
+
+
 ## Returns the configuration warning in the tree of the scene dock, or an empty text.
 func _find_warning(field: PlantField3D) -> String:
 	for dock in EditorInterface.get_base_control().find_children("*", "SceneTreeDock", true, false):

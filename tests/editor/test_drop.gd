@@ -88,13 +88,11 @@ func test_other_drags_are_the_editors() -> void:
 
 
 func _drag_tile(title: String, share: Vector2) -> void:
-	await open_page("Plant")
+	await open_panel()
 	_select([])
-	var found := find_item(title)
-	var list: ItemList = found[0]
-	await reveal_item(list, found[1])
-	var from := list.global_position + list.get_item_rect(found[1]).get_center()
-	await _drag_between(list, from, _in_view(share))
+	var index := find_tile(title)
+	await reveal_tile(index)
+	await _drag_between(tiles(), tiles().global_position + place_of_tile(index), _in_view(share))
 
 
 ## Drags the file in the tree of the FileSystem.

@@ -17,9 +17,7 @@ var _written := 0
 
 
 func test_script_without_tool_is_explained() -> void:
-	await open_page("Plant")
-	var tulip := find_item("Tulip")
-	await click_item(tulip[0], tulip[1])
+	await choose_tile("Tulip")
 	await _write(FILE, NOT_TOOL)
 	await _choose(FILE)
 	_check_status("@tool")
@@ -39,7 +37,9 @@ func test_wrong_value_is_explained() -> void:
 	await _write(FILE, WRONG_VALUE)
 	await _choose(FILE)
 	_check_status("_calculate_curve_point(")
-	var hint := part("Plant/Preview/Hint") as Label
+	await double_click(tiles(), place_of_tile(find_key(FILE)))
+	await open_inspector()
+	var hint := preview_part("Hint") as Label
 	check(hint.is_visible_in_tree(), "the preview says why it is empty")
 	await take_picture("fault")
 	await _remove(FILE)
@@ -112,10 +112,7 @@ func _scan() -> void:
 
 
 func _choose(path: String) -> void:
-	await open_page("Plant")
-	var list := part("Plant/List/ProjectList") as ItemList
-	for i in list.item_count:
-		if list.get_item_tooltip(i) == path:
-			await click_item(list, i)
-			return
-	check(false, path + " is in the list")
+	await open_panel()
+	check(find_key(path) >= 0, path + " is in the list")
+	if find_key(path) >= 0:
+		await click_tile(find_key(path))

@@ -5,24 +5,20 @@ extends "actions_test.gd"
 
 const SCENE := "res://first_clicks.tscn"
 const MAX_CLICKS := 4
-## Of them for the arrows of the tab bar beside the inspector, which can hide the dock's tab.
-const MAX_ARROWS := 2
-const SWAY_SCRIPT := "res://addons/undergrowth/editor/wind_page/sway_button.gd"
+const SWAY_SCRIPT := "res://addons/undergrowth/editor/wind/sway_button.gd"
 
 var _clicks := 0
-var _arrows := 0
 
 
 func test_a_meadow_sways_on_a_terrain_after_four_clicks() -> void:
 	var root := await _open_terrain()
 	await _start_as_a_newcomer()
 	_clicks = 0
-	await _show_dock_by_clicks()
+	await _show_panel_by_a_click()
 	check_equal(_state().title, "Meadow", "what is chosen at first")
-	await _click_visible(part("Plant/Actions/AddField") as Control)
+	await _click_visible(part("Browser/Actions/AddField") as Control)
 	print("clicks to a meadow: %d" % _clicks)
 	check(_clicks <= MAX_CLICKS, "%d clicks" % _clicks)
-	check(_arrows <= MAX_ARROWS, "%d arrows" % _arrows)
 	var field := _find_field(root)
 	check(field != null, "the scene has a field: " + _message())
 	if not field:
@@ -34,7 +30,7 @@ func test_a_meadow_sways_on_a_terrain_after_four_clicks() -> void:
 	await _check_on_terrain(field)
 	check(await _sways(field), "it sways without another click")
 	await take_picture("first_clicks")
-	check_equal(_state().title, "Meadow", "what is chosen in the dock")
+	check_equal(_state().title, "Meadow", "what is chosen in the panel")
 	await undo()
 	check_equal(root.get_child_count(), 1, "nodes after one step of undo")
 	EditorInterface.save_scene()
@@ -42,7 +38,7 @@ func test_a_meadow_sways_on_a_terrain_after_four_clicks() -> void:
 
 func test_the_sway_changes_nothing_in_the_scene() -> void:
 	var root := await _open_terrain()
-	await open_page("Plant")
+	await open_panel()
 	await _choose("Lawn")
 	await _use("AddField")
 	var field := _find_field(root)
@@ -84,22 +80,23 @@ func test_another_field_has_the_wind_of_the_scene() -> void:
 func test_another_mix_is_chosen_without_scrolling() -> void:
 	var root := await _open_terrain()
 	await _start_as_a_newcomer()
-	await open_page("Plant")
+	await open_panel()
 	_clicks = 0
-	await _click_item("Lawn")
-	await _click_visible(part("Plant/Actions/AddField") as Control)
-	check_equal(_clicks, 2, "clicks in the dock")
+	await _click_tile("Lawn")
+	await _click_visible(part("Browser/Actions/AddField") as Control)
+	check_equal(_clicks, 2, "clicks in the panel")
 	check_equal(root.get_child(-1).name, &"Lawn", "the field that was added")
 	await undo()
 
 
 func test_ready_mixes_are_seen_at_once() -> void:
 	await _start_as_a_newcomer()
-	await open_page("Plant")
-	var list := part("Plant/List/MixList") as ItemList
-	for i in list.item_count:
-		var title := item_title(list, i)
-		check(_seen_part().encloses(_rect_of(list, i)), title + " is visible without scrolling")
+	await open_panel()
+	await click(part("Browser/List/Mixes") as Control)
+	for i in tiles().item_count:
+		check(_is_seen(i), tile_title(i) + " is visible without scrolling")
+	await click(part("Browser/List/All") as Control)
+	check(_is_seen(0), "a mix is the first of all tiles")
 
 
 func _sways(field: PlantField3D) -> bool:
@@ -118,63 +115,37 @@ func _check_on_terrain(field: PlantField3D) -> void:
 	check(worst < 0.05, "%f m beside the terrain" % worst)
 
 
-## The state of the editor after its start: the inspector is in front of the dock, and the list is
-## at its top.
+## The state of the editor after its start: the output log is in front of the panel, and the tiles
+## are at their top.
 func _start_as_a_newcomer() -> void:
 	_select([])
-	part("Plant").call(&"_choose_first")
-	(part("Plant/List/Scroll") as ScrollContainer).scroll_vertical = 0
-	(part("Plant/Actions/Surroundings") as CheckBox).button_pressed = true
-	await open_inspector()
+	part("Browser").call(&"_choose_first")
+	tiles().get_v_scroll_bar().value = 0.0
+	(part("Browser/Actions/Surroundings") as CheckBox).button_pressed = true
+	var tab := dock().get_parent() as EditorDock
+	(tab.get_parent() as TabContainer).current_tab = -1
 	await frames(5)
+	check(not dock().is_visible_in_tree(), "the panel is closed")
 
 
-## Clicks the dock's tab, after the arrow of the tab bar while the tab is not visible.
-func _show_dock_by_clicks() -> void:
+func _show_panel_by_a_click() -> void:
 	var tab := dock().get_parent() as EditorDock
 	var tabs := tab.get_parent() as TabContainer
 	var bar := tabs.get_tab_bar()
-	var index := tabs.get_tab_idx_from_control(tab)
-	_arrows = 0
-	while _is_cut(bar, index) and _clicks <= MAX_CLICKS:
-		var arrow := bar.get_theme_icon(&"increment").get_width()
-		var at := Vector2(bar.size.x - arrow * 0.5, bar.size.y * 0.5)
-		await _click_visible(bar, at)
-		_arrows += 1
-	await _click_visible(bar, bar.get_tab_rect(index).get_center())
-	check(dock().is_visible_in_tree(), "the dock is in front")
+	await _click_visible(bar, bar.get_tab_rect(tabs.get_tab_idx_from_control(tab)).get_center())
+	check(dock().is_visible_in_tree(), "the panel is in front")
 
 
-# A tab that does not fit keeps its old place.
-static func _is_cut(bar: TabBar, index: int) -> bool:
-	if not bar.get_offset_buttons_visible():
-		return false
-	var arrows := bar.get_theme_icon(&"increment").get_width() * 2.0
-	var tab := bar.get_tab_rect(index)
-	var first := bar.get_tab_offset()
-	var is_after := index == first or tab.position.x > bar.get_tab_rect(index - 1).position.x
-	return index < first or not is_after or tab.end.x > bar.size.x - arrows
+func _click_tile(title: String) -> void:
+	var index := find_tile(title)
+	check(_is_seen(index), title + " is visible")
+	await _click_visible(tiles(), place_of_tile(index))
 
 
-func _click_item(title: String) -> void:
-	var found := find_item(title)
-	var list: ItemList = found[0]
-	check(list != null, title + " is listed")
-	if not list:
-		return
-	check(_seen_part().encloses(_rect_of(list, found[1])), title + " is visible")
-	await _click_visible(list, list.get_item_rect(found[1]).get_center())
-
-
-## The visible part of the list.
-func _seen_part() -> Rect2:
-	return (part("Plant/List/Scroll") as Control).get_global_rect()
-
-
-func _rect_of(list: ItemList, index: int) -> Rect2:
-	var rect := list.get_item_rect(index)
-	rect.position += list.global_position
-	return rect
+func _is_seen(index: int) -> bool:
+	var rect := tiles().get_item_rect(index)
+	rect.position.y -= tiles().get_v_scroll_bar().value
+	return Rect2(Vector2.ZERO, tiles().size).encloses(rect)
 
 
 ## Clicks [param control] and counts the click. Fails the test unless it is visible and receives it.

@@ -7,90 +7,67 @@ const READY := "res://addons/undergrowth/species/poppy.tres"
 const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
 
 
-func test_it_is_a_tab_beside_the_inspector() -> void:
-	await open_page("Plant")
+func test_it_is_a_panel_below_the_view() -> void:
+	await open_panel()
+	var rect := dock().get_global_rect()
+	var view := EditorInterface.get_editor_viewport_3d(0).get_parent() as Control
+	check(rect.position.y >= view.get_global_rect().end.y, "it is below the 3D view: %s" % rect)
+	check(rect.size.x > rect.size.y * 2.0, "it is wide: %s" % rect.size)
+	var window := EditorInterface.get_base_control().size
+	check(rect.end.y <= window.y, "it ends at %f of %f" % [rect.end.y, window.y])
+	check(rect.size.y < 0.4 * window.y, "it leaves room: %f" % rect.size.y)
+
+
+func test_every_tab_beside_the_inspector_stays_visible() -> void:
+	await open_panel()
 	var inspector: Node = EditorInterface.get_inspector()
 	while inspector is not EditorDock:
 		inspector = inspector.get_parent()
-	check(dock().get_parent().get_parent() == inspector.get_parent(), "both are tabs of one place")
-	check((inspector as Control).size.x >= 290.0, "its width is %f" % (inspector as Control).size.x)
-	var bottom := dock().get_global_rect().end.y
-	check(bottom <= EditorInterface.get_base_control().size.y, "the dock ends at %f" % bottom)
+	var bar := (inspector.get_parent() as TabContainer).get_tab_bar()
+	for i in bar.tab_count:
+		check(bar.get_tab_title(i) != "Undergrowth", "it takes no tab from the inspector")
 
 
-func test_it_takes_nothing_from_the_inspector() -> void:
-	await open_page("Plant")
-	var inspector := EditorInterface.get_inspector()
-	await open_inspector()
-	var beside := inspector.size
-	var tab := dock().get_parent() as EditorDock
-	tab.close()
-	await frames(5)
-	var alone := inspector.size
-	check(beside.x >= alone.x and beside.y >= alone.y, "%s, %s without" % [beside, alone])
-	var minimum := inspector.get_combined_minimum_size()
-	check(beside.x >= minimum.x and beside.y >= minimum.y, "%s is less than %s" % [beside, minimum])
-	tab.open()
-	await frames(5)
-
-
-func test_two_rows_of_mixes_are_seen() -> void:
-	await open_page("Plant")
-	await _choose("Lawn")
-	var list := part("Plant/List/MixList") as ItemList
-	var scroll := part("Plant/List/Scroll") as ScrollContainer
-	scroll.scroll_vertical = 0
+func test_pictures_of_two_rows_of_tiles_are_seen() -> void:
+	await open_panel()
+	tiles().get_v_scroll_bar().value = 0
 	await frames(2)
 	var columns := 1
-	while list.get_item_rect(columns).position.y == list.get_item_rect(0).position.y:
+	while tiles().get_item_rect(columns).position.y == tiles().get_item_rect(0).position.y:
 		columns += 1
-	check(columns >= 3, "%d columns" % columns)
-	var second := list.get_item_rect(mini(2 * columns, list.item_count) - 1)
-	var end := list.get_global_rect().position.y + second.end.y
-	check(
-		end <= scroll.get_global_rect().end.y,
-		"the second row ends at %f of %f" % [end, scroll.get_global_rect().end.y]
-	)
-
-
-func test_all_that_ships_is_in_columns_as_wide() -> void:
-	await open_page("Plant")
-	var widths: Array[int] = []
-	for name: String in ["ReadyList", "MixList", "SimpleList"]:
-		widths.append((part("Plant/List/" + name) as ItemList).fixed_column_width)
-	check(widths.min() == widths.max(), "pixels: %s" % [widths])
+	check(columns >= 7, "%d columns" % columns)
+	var end := tiles().get_item_rect(columns).position.y + tiles().fixed_icon_size.y
+	check(end <= tiles().size.y, "the second row ends at %f of %f" % [end, tiles().size.y])
 
 
 func test_no_name_is_cut() -> void:
-	await open_page("Plant")
-	var list := part("Plant/List/ReadyList") as ItemList
-	var font := list.get_theme_font(&"font")
-	var font_size := list.get_theme_font_size(&"font_size")
-	for i in list.item_count:
-		var lines := list.get_item_text(i).split("\n")
-		check(lines.size() <= 2, "two lines: " + item_title(list, i))
+	await open_panel()
+	var font := tiles().get_theme_font(&"font")
+	var font_size := tiles().get_theme_font_size(&"font_size")
+	for i in tiles().item_count:
+		var lines := tiles().get_item_text(i).split("\n")
+		check(lines.size() <= 2, "two lines: " + tile_title(i))
 		for line in lines:
 			var width := font.get_string_size(line, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-			check(width <= list.get_item_rect(i).size.x, "%s is %f wide" % [line, width])
+			check(width <= tiles().get_item_rect(i).size.x, "%s is %f wide" % [line, width])
 
 
 func test_it_follows_the_selection() -> void:
 	await _open_garden()
 	var root := EditorInterface.get_edited_scene_root()
-	await open_page("Plant")
+	await open_panel()
 	await _choose("Wheat")
 	_select([root.get_node("Poppy")])
 	await frames(2)
 	check_equal(_state().title, "Poppy", "of a plant with a species of the add-on")
-	var list := part("Plant/List/ReadyList") as ItemList
-	var marked := list.get_selected_items()
-	check(marked.size() == 1 and item_title(list, marked[0]) == "Poppy", "it is marked in the list")
+	var marked := tiles().get_selected_items()
+	check(marked.size() == 1 and tile_title(marked[0]) == "Poppy", "it is marked in the list")
 	_select([root.get_node("Field")])
 	await frames(2)
 	var field := root.get_node("Field") as PlantField3D
 	check(_state().function == field.species[0].species, "of a field the scene's own species")
 	check_equal(_state().title, "Reed", "its title")
-	check(list.get_selected_items().is_empty(), "nothing is marked")
+	check(tiles().get_selected_items().is_empty(), "nothing is marked")
 	_select([root])
 	await frames(2)
 	check_equal(_state().title, "Reed", "of what is no plant, nothing")
@@ -98,57 +75,60 @@ func test_it_follows_the_selection() -> void:
 
 func test_it_catches_up_when_it_is_shown() -> void:
 	await _open_garden()
-	await open_page("Wind")
+	var tab := dock().get_parent() as EditorDock
+	(tab.get_parent() as TabContainer).current_tab = -1
 	_select([EditorInterface.get_edited_scene_root().get_node("Poppy")])
 	await frames(2)
-	await open_page("Plant")
+	await open_panel()
 	await frames(2)
-	check_equal(_state().title, "Poppy", "selected while the page was hidden")
+	check_equal(_state().title, "Poppy", "selected while the panel was hidden")
 
 
 func test_a_filter_moves_nothing() -> void:
-	await open_page("Plant")
-	var preview := part("Plant/Preview") as Control
-	var before := preview.get_global_rect()
-	var list := part("Plant/List/ReadyList") as ItemList
-	var width := list.size.x
-	var filter := part("Plant/List/Filter") as LineEdit
+	await open_panel()
+	var before := tiles().get_global_rect()
+	var width := tiles().fixed_column_width
+	var filter := part("Browser/List/Filter") as LineEdit
 	filter.text = "tul"
 	filter.text_changed.emit("tul")
 	await frames(4)
-	var bar := (part("Plant/List/Scroll") as ScrollContainer).get_v_scroll_bar()
-	check(not bar.visible, "one name needs no scroll bar")
-	# Without it, a list that is shorter with fewer, wider columns would switch its scroll bar
-	# forever.
-	check_equal(list.size.x, width, "width of the list without a scroll bar")
-	check_equal(preview.get_global_rect(), before, "place of the preview with one name")
+	check_equal(tiles().get_global_rect(), before, "place of the tiles with two names")
+	check_equal(tiles().fixed_column_width, width, "width of a tile")
 	filter.text = ""
 	filter.text_changed.emit("")
 	await frames(4)
-	check_equal(preview.get_global_rect(), before, "place of the preview with all names")
-
-
-func test_messages_appear_below_the_pages() -> void:
-	await open_page("Plant")
-	var page := (part("Plant") as Control).get_global_rect()
-	var line := (part("Status") as Control).get_global_rect()
-	check_equal(line.position.x, page.position.x, "its left end")
-	check_equal(line.end.x, page.end.x, "its right end")
+	check_equal(tiles().get_global_rect(), before, "place of the tiles with all names")
 
 
 func test_messages_move_no_button() -> void:
-	await open_page("Plant")
+	await open_panel()
 	await _choose("Wheat")
 	_state().report("")
 	await frames(3)
-	var before := (part("Plant/Actions/Add") as Control).global_position
+	var before := (part("Browser/Actions/Add") as Control).global_position
 	_state().report(LONG, EditorState.Severity.ERROR)
 	await frames(3)
-	check_equal((part("Plant/Actions/Add") as Control).global_position, before, "a button's place")
+	check_equal(
+		(part("Browser/Actions/Add") as Control).global_position, before, "a button's place"
+	)
 	check_equal((part("Status/Text") as Label).tooltip_text, LONG, "all of it is in the tooltip")
 	var text := part("Status/Text") as Label
 	check_equal(text.get_visible_line_count(), text.get_line_count(), "lines of it that are seen")
 	await take_picture(str(int(EditorInterface.get_base_control().size.x)))
+	_state().report("")
+
+
+func test_warnings_of_a_hidden_panel_are_toasts() -> void:
+	await open_panel()
+	((dock().get_parent() as EditorDock).get_parent() as TabContainer).current_tab = -1
+	await frames(3)
+	_state().report(LONG, EditorState.Severity.WARNING)
+	await frames(3)
+	var toaster := EditorInterface.get_editor_toaster()
+	var labels := toaster.find_children("*", "Label", true, false)
+	var says_it := func(label: Label) -> bool: return label.text.contains(LONG)
+	check(labels.any(says_it), "%d texts of toasts" % labels.size())
+	await open_panel()
 	_state().report("")
 
 

@@ -160,14 +160,13 @@ func test_an_own_fern_with_nine_leaves_in_six_clicks_and_one_number() -> void:
 	var scene := Node3D.new()
 	scene.name = "Land"
 	await _open_alone("res://parts_land.tscn", scene)
-	await open_page("Plant")
-	var found := find_item("Male Fern")
-	await reveal_item(found[0], found[1])
+	await open_panel()
+	var index := find_tile("Male Fern")
+	await reveal_tile(index)
 	_clicks = 0
-	var list: ItemList = found[0]
-	await _click_visible(list, list.get_item_rect(found[1]).get_center())
+	await _click_visible(tiles(), place_of_tile(index))
 	check_equal(_state().title, "Male Fern", "chosen species")
-	await _click_visible(part("Plant/Actions/Save") as Control)
+	await _click_visible(part("Browser/Actions/Save") as Control)
 	await frames(3)
 	var dialog := _dialog("EditorFileDialog") as EditorFileDialog
 	check(dialog != null, "the file dialog opens")
@@ -177,8 +176,8 @@ func test_an_own_fern_with_nine_leaves_in_six_clicks_and_one_number() -> void:
 	await _click_visible(dialog.get_ok_button())
 	await frames(10)
 	check(FileAccess.file_exists(OWN), "the file is there: " + _message())
-	var tree := _tree_in(dock())
-	check(tree != null, "the dock shows the tree of parts")
+	var tree := _tree_in(EditorInterface.get_inspector())
+	check(tree != null, "the inspector shows the tree of parts")
 	var row := _row("Fronds", tree)
 	await _click_visible(tree, _middle_of(tree, row, COUNT))
 	await frames(3)
@@ -188,7 +187,7 @@ func test_an_own_fern_with_nine_leaves_in_six_clicks_and_one_number() -> void:
 	print("clicks to an own fern: %d" % _clicks)
 	check(_clicks <= MAX_CLICKS, "%d clicks" % _clicks)
 	var own := load(OWN) as PlantFunction
-	check(own == _state().function, "the dock edits the file's species")
+	check(own == _state().function, "the inspector edits the file's species")
 	check_equal(own.arrangements[0].count, Vector2i(9, 9), "leaves")
 	await undo()
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(OWN))
@@ -196,21 +195,19 @@ func test_an_own_fern_with_nine_leaves_in_six_clicks_and_one_number() -> void:
 
 
 func test_seeds_are_shown_side_by_side() -> void:
-	await open_page("Plant")
-	await _choose("Poppy")
-	await click(part("Plant/Preview/Seeds") as Control)
+	await inspect("Poppy")
+	await click(preview_part("Seeds") as Control)
 	await frames(3)
-	var shown := part("Plant/Preview/Plants").get_children()
+	var shown := preview_part("Plants").get_children()
 	check_equal(shown.size(), 4, "plants")
 	var seeds := shown.map(func(plant: Plant3D) -> int: return plant.seed)
-	var first := _state().seed_value
-	check_equal(seeds, [first, first + 1, first + 2, first + 3], "their seeds")
+	check_equal(seeds, [1, 2, 3, 4], "their seeds")
 	for plant: Plant3D in shown:
 		check_equal(plant.segments, 24, "detail of a near plant")
 	await take_picture("seeds")
-	await click(part("Plant/Preview/Seeds") as Control)
+	await click(preview_part("Seeds") as Control)
 	await frames(3)
-	check_equal(part("Plant/Preview/Plants").get_child_count(), 1, "plants after switching back")
+	check_equal(preview_part("Plants").get_child_count(), 1, "plants after switching back")
 
 
 func _open_fern() -> PlantFunction:

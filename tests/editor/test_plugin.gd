@@ -16,7 +16,7 @@ func test_off_and_on_again() -> void:
 	check_equal(_count(Performance.OBJECT_NODE_COUNT), nodes, "nodes after twice more")
 	check_equal(_count(Performance.OBJECT_ORPHAN_NODE_COUNT), orphans, "orphans")
 	await _choose_poppy()
-	var counts := part("Plant/Preview/Counts") as Label
+	var counts := preview_part("Counts") as Label
 	check(counts.text.contains("tris"), "it shows a plant: " + counts.text)
 
 
@@ -38,10 +38,7 @@ func test_nothing_stays_when_switched_off() -> void:
 
 
 func _choose_poppy() -> void:
-	await open_page("Plant")
-	var found := find_item("Poppy")
-	await click_item(found[0], found[1])
-	await frames(3)
+	await inspect("Poppy")
 
 
 func _switch_off_and_on() -> void:
@@ -57,40 +54,16 @@ func _count(monitor: Performance.Monitor) -> int:
 	return int(Performance.get_monitor(monitor))
 
 
-func test_a_wide_dock_is_laid_out_side_by_side() -> void:
-	await open_page("Plant")
-	var split := part("Plant/Split") as SplitContainer
-	check(split.vertical, "one below the other in a narrow dock")
-	var page := part("Plant") as Control
-	var content := dock()
-	var home := content.get_parent()
-	var window := Window.new()
-	window.size = Vector2i(1100, 420)
-	EditorInterface.get_base_control().add_child(window)
-	content.reparent(window, false)
-	content.set_anchors_and_offsets_preset(Control.PRESET_FULL_RECT)
-	await frames(5)
-	check(not split.vertical, "side by side at %s" % page.size)
-	await frames(30)
-	var picture := window.get_texture().get_image()
-	if not pictures_folder.is_empty():
-		picture.save_png(pictures_folder.path_join("dock_wide.png"))
-	content.reparent(home, false)
-	window.queue_free()
-	await frames(5)
-	check(split.vertical, "one below the other again")
-
-
 func test_the_library_is_reloaded_under_the_dock() -> void:
-	await open_page("Plant")
+	await open_panel()
 	check_equal(
 		GDExtensionManager.reload_extension(LIBRARY), GDExtensionManager.LOAD_STATUS_OK, "status"
 	)
 	await frames(10)
 	check(dock() != null, "the dock is there")
 	await _choose_poppy()
-	var counts := part("Plant/Preview/Counts") as Label
+	var counts := preview_part("Counts") as Label
 	check(counts.text.contains("tris"), "it shows a plant: " + counts.text)
-	var plant := part("Plant/Preview/Plants").get_child(0) as Plant3D
+	var plant := preview_part("Plants").get_child(0) as Plant3D
 	var moves := func() -> bool: return plant.get_deflection() > 1e-3
 	check(await until(moves), "the plant moves")

@@ -9,35 +9,34 @@ const SETTINGS_SCRIPT := "res://addons/undergrowth/editor/brush/brush_settings.g
 const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
 
 
-func test_the_pages_for_species() -> void:
+func test_the_tiles_and_the_inspector_of_species() -> void:
 	await _open_garden()
 	_select([])
-	await open_page("Plant")
+	await open_panel()
 	check(await until(_has_pictures), "each species has its picture")
 	for shown: Array in [["Wheat", "species"], ["Meadow", "mix"], ["Own Drawing", "curves"]]:
 		await _choose(shown[0])
-		var counts := part("Plant/Preview/CountsPanel") as Control
-		check(await until(counts.is_visible_in_tree), "%s is there" % shown[0])
+		await inspect(shown[0])
 		await frames(10)
+		check_nothing_is_cut(find_by_script(PREVIEW_SCRIPT), shown[1])
 		check_nothing_is_cut(dock(), shown[1])
 		await take_style(shown[1])
 
 
 func test_levels_rings_and_bones() -> void:
-	await _choose("Poppy")
+	await inspect("Poppy")
 	for tool: String in ["Levels", "Rings", "Bones"]:
-		var button := part("Plant/Preview/" + tool) as Button
+		var button := preview_part(tool) as Button
 		await click(button)
 		await frames(10)
-		check_nothing_is_cut(dock(), tool)
+		check_nothing_is_cut(find_by_script(PREVIEW_SCRIPT), tool)
 		await take_style(tool.to_lower())
 		await click(button)
 
 
-func test_the_dock_by_itself() -> void:
+func test_the_panel_by_itself() -> void:
 	await _choose("Poppy")
-	var list := part("Plant/List/Scroll") as ScrollContainer
-	list.scroll_vertical = int(list.get_v_scroll_bar().max_value)
+	tiles().get_v_scroll_bar().value = tiles().get_v_scroll_bar().max_value
 	_state().report(LONG, EditorState.Severity.ERROR)
 	await frames(5)
 	check_nothing_is_cut(dock(), "an error")
@@ -52,18 +51,18 @@ func test_the_dock_by_itself() -> void:
 	_state().report("")
 
 
-func test_the_page_for_wind() -> void:
-	await open_page("Wind")
+func test_the_popup_for_wind() -> void:
+	await open_wind()
 	for kind: Array in [[PlantWind.KIND_WAVES, "waves"], [PlantWind.KIND_AIR, "air"]]:
 		_state().wind.kind = kind[0]
 		_state().wind.speed = 6.0
 		await frames(60)
-		check_nothing_is_cut(dock(), kind[1])
+		check_nothing_is_cut(wind_panel(), kind[1])
+		var view := EditorInterface.get_editor_viewport_3d(0).get_parent() as Control
+		var frame := (wind_panel().get_parent() as Control).get_global_rect()
+		check(view.get_global_rect().encloses(frame), "within the view: %s" % frame)
 		await take_style(kind[1])
-	var scroll := part("Wind") as ScrollContainer
-	scroll.scroll_vertical = int(scroll.get_v_scroll_bar().max_value)
-	await frames(10)
-	await take_style("air_below")
+	await close_wind()
 	_state().wind.kind = PlantWind.KIND_WAVES
 
 
@@ -107,7 +106,7 @@ func test_the_inspector() -> void:
 
 func test_the_dialogs_for_species() -> void:
 	await _choose("Poppy")
-	await click(part("Plant/List/New") as Control)
+	await click(part("Browser/List/New") as Control)
 	await _check_dialog("ConfirmationDialog", "new_empty")
 	var dialog := _dialog("ConfirmationDialog") as ConfirmationDialog
 	for typed: Array in [["Marsh Sedge", "new"], ["9 lives", "new_refused"]]:
@@ -148,10 +147,10 @@ func test_the_dialogs_for_baking() -> void:
 
 
 func test_the_dialog_for_a_wind() -> void:
-	await open_page("Wind")
-	await click(part("Wind/Save") as Control)
+	await open_wind()
+	await click(wind_part("Save") as Control)
 	await frames(5)
-	for child: Node in part("Wind/WindActions").get_children(true):
+	for child: Node in wind_part("WindActions").get_children(true):
 		if child is EditorFileDialog:
 			await take_dialog_style(child as Window, "wind")
 			(child as Window).hide()
@@ -160,11 +159,9 @@ func test_the_dialog_for_a_wind() -> void:
 
 func _has_pictures() -> bool:
 	var missing := dock().get_theme_icon(&"FileThumbnail", &"EditorIcons")
-	for name: String in LISTS:
-		var list := part("Plant/List/" + name) as ItemList
-		for i in list.item_count:
-			if list.get_item_icon(i) == missing:
-				return false
+	for i in tiles().item_count:
+		if tiles().get_item_icon(i) == missing:
+			return false
 	return true
 
 

@@ -61,7 +61,7 @@ func test_what_a_scene_has_is_not_added() -> void:
 
 
 func _offer(on: bool) -> void:
-	(part("Plant/Actions/Surroundings") as CheckBox).button_pressed = on
+	(part("Browser/Actions/Surroundings") as CheckBox).button_pressed = on
 
 
 func _check_ground(ground: MeshInstance3D) -> void:

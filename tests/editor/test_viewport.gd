@@ -3,7 +3,6 @@ extends "viewport_test.gd"
 ## Plants in the editor's viewport and resources in its inspector.
 
 const ForceGraph := preload("res://addons/undergrowth/editor/widgets/force_graph.gd")
-const PLANT_VIEW := "res://addons/undergrowth/editor/inspector/plant_inspector_view.gd"
 const WIND_VIEW := "res://addons/undergrowth/editor/inspector/wind_inspector_view.gd"
 const SCRIPT_FILE := "res://viewport_species.gd"
 ## A script that cannot run in the editor.
@@ -48,9 +47,8 @@ func test_inspector_shows_a_moving_plant() -> void:
 	EditorInterface.edit_resource(TulipFunction.new())
 	await open_inspector()
 	await frames(5)
-	var view := _find_in_inspector(PLANT_VIEW)
-	check(view != null, "there is a preview")
-	var plant := view.get_node("%Plant") as Plant3D
+	check(find_by_script(PREVIEW_SCRIPT) != null, "there is a preview")
+	var plant := preview_part("Plants").get_child(0) as Plant3D
 	var moves := func() -> bool: return plant.get_deflection() > 1e-3
 	check(await until(moves), "the plant moves")
 
@@ -64,7 +62,7 @@ func test_the_inspector_explains_a_missing_plant() -> void:
 	EditorInterface.edit_resource(function)
 	await open_inspector()
 	await frames(5)
-	var reported := (_find_in_inspector(PLANT_VIEW).get_node("%Problem") as Label).text
+	var reported := (preview_part("Hint") as Label).text
 	check(reported.contains("@tool"), "the preview says " + reported)
 	EditorInterface.edit_resource(null)
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(SCRIPT_FILE))

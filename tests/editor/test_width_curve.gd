@@ -6,7 +6,7 @@ extends "actions_test.gd"
 func test_a_drag_that_another_choice_interrupts_is_undone() -> void:
 	var curve := await _begin_drag()
 	var dragged := curve.get_point_position(1)
-	_state().choose(TulipFunction.new(), "", "Tulip")
+	EditorInterface.edit_resource(TulipFunction.new())
 	await frames(2)
 	check(curve.get_point_position(1).is_equal_approx(dragged), "the point stays where it was left")
 	await _release()
@@ -26,7 +26,7 @@ func test_a_drag_of_a_curve_that_undo_takes_away_changes_no_other() -> void:
 	other.add_point(Vector2.ONE)
 	var function := _state().function as CurvePlantFunction
 	function.width_curve = other
-	var points := part("Plant/Points") as Control
+	var points := plot_points() as Control
 	var at := _in_window(points, points.size * 0.7)
 	_move(points, at, at + Vector2(5, 5), MOUSE_BUTTON_MASK_LEFT)
 	await frames(1)
@@ -39,11 +39,9 @@ func test_a_drag_of_a_curve_that_undo_takes_away_changes_no_other() -> void:
 
 ## Returns the curve whose second point follows the pointer.
 func _begin_drag() -> Curve:
-	await open_page("Plant")
-	await _choose("Own Drawing")
-	await frames(2)
+	await inspect("Own Drawing")
 	var curve := (_state().function as CurvePlantFunction).width_curve
-	var points := part("Plant/Points") as Control
+	var points := plot_points() as Control
 	var grip := _in_window(points, Vector2(points.size.x * curve.get_point_position(1).x, 0.0))
 	await _point(points, grip)
 	_press(points, grip, MOUSE_BUTTON_LEFT, true)
@@ -54,6 +52,6 @@ func _begin_drag() -> Curve:
 
 
 func _release() -> void:
-	var points := part("Plant/Points") as Control
+	var points := plot_points() as Control
 	_press(points, _in_window(points, Vector2.ONE), MOUSE_BUTTON_LEFT, false)
 	await frames(2)

@@ -1,6 +1,6 @@
 @tool
 extends "wind_test.gd"
-## The wind page writes only saved values to plants of instanced scenes.
+## The wind panel writes only saved values to plants of instanced scenes.
 
 const POT := "res://wind_pot.tscn"
 const TULIP := "res://wind_tulip.tscn"
@@ -12,15 +12,15 @@ func test_a_wind_inside_another_scene_stays_as_it_is() -> void:
 	var plants := yard.get_children()
 	var foreign: PlantWind = plants[0].get(&"wind")
 	var file := FileAccess.get_file_as_string(TULIP)
-	await _choose_kind(PlantWind.KIND_BURSTS)
+	await _press_button("Gale")
 	await _press_button("SetForScene")
 	check_equal(foreign.kind, PlantWind.KIND_CONSTANT, "kind of the wind in the other scene")
 	for plant in plants:
-		check_equal((plant as Plant3D).wind.kind, PlantWind.KIND_BURSTS, "kind of its own wind")
+		check_equal((plant as Plant3D).wind.kind, PlantWind.KIND_AIR, "kind of its own wind")
 	check(plants[0].get(&"wind") == plants[1].get(&"wind"), "they share it")
-	check(_wind() == plants[0].get(&"wind"), "the page edits it now")
+	check(_wind() == plants[0].get(&"wind"), "the panel edits it now")
 	check_equal(EditorInterface.save_scene(), OK, "saving")
-	check_equal(_read_kind(), PlantWind.KIND_BURSTS, "kind in the saved scene")
+	check_equal(_read_kind(), PlantWind.KIND_AIR, "kind in the saved scene")
 	check_equal(FileAccess.get_file_as_string(TULIP), file, "file of the other scene")
 	await undo()
 	check(plants[0].get(&"wind") == foreign, "the other scene's wind blows again after undo")
@@ -33,13 +33,13 @@ func test_a_wind_inside_another_scene_stays_as_it_is() -> void:
 func test_a_plant_that_the_scene_does_not_save_is_reported() -> void:
 	var yard := await _open_yard([POT])
 	var plant := yard.get_child(0).get_child(0) as Plant3D
-	await _choose_kind(PlantWind.KIND_BURSTS)
+	await _press_button("Gale")
 	await _press_button("SetForScene")
 	check_equal(plant.wind.kind, PlantWind.KIND_CONSTANT, "its wind")
 	check(_reported().contains("another scene"), "the status line: " + _reported())
 	yard.set_editable_instance(yard.get_child(0), true)
 	await _press_button("SetForScene")
-	check_equal(plant.wind.kind, PlantWind.KIND_BURSTS, "its wind with editable children")
+	check_equal(plant.wind.kind, PlantWind.KIND_AIR, "its wind with editable children")
 	await undo()
 
 

@@ -1,35 +1,28 @@
 @tool
 extends "wind_test.gd"
-## Effects of the wind page on the edited scene.
+## Effects of the wind panel on the edited scene.
 
-const SCENE_FILES := "res://wind_page_%d.tscn"
 const FIELD_FILE := "res://wind_page_field.tscn"
 const EMPTY_FILE := "res://wind_page_empty.tscn"
 const SHIPPED := "res://addons/undergrowth/winds/breeze.tres"
 const SHARED_FILE := "res://wind_page_shared.tres"
 
-var _scene_file := ""
-var _scene_count := 0
-
 
 func test_a_change_is_seen_in_the_scene_and_undone() -> void:
 	var plants := await _open_scene()
-	await open_page("Wind")
-	check(_wind() == plants[0].wind, "the page edits the wind of the scene")
-	check_equal((part("Wind/Shown") as Label).text, tr("Wind of the Scene"), "what is shown")
+	await open_wind()
+	check(_wind() == plants[0].wind, "the panel edits the wind of the scene")
+	check_equal((wind_part("Shown") as Label).text, tr("Wind of the Scene"), "what is shown")
 	var version := _history().get_version()
-	await _choose_kind(PlantWind.KIND_BURSTS)
-	check_equal(plants[0].wind.kind, PlantWind.KIND_BURSTS, "kind in the scene")
-	check_equal(_history().get_version(), version + 1, "one step")
-	await _type_number("Strength", "3")
-	check_equal(plants[0].wind.strength, 3.0, "strength in the scene")
 	await _press_button("Gale")
+	check_equal(_history().get_version(), version + 1, "one step")
 	check_equal(plants[0].wind.kind, PlantWind.KIND_AIR, "kind of a preset")
 	check(is_equal_approx(plants[0].wind.speed, 19.0), "speed of a preset")
+	await _type_number("Speed", "3")
+	check_equal(plants[0].wind.speed, 3.0, "speed in the scene")
 	await undo()
-	check_equal(plants[0].wind.kind, PlantWind.KIND_BURSTS, "one step undoes a preset")
-	check_equal((part("Wind/Kind") as OptionButton).selected, PlantWind.KIND_BURSTS, "in the page")
-	await undo()
+	check(is_equal_approx(plants[0].wind.speed, 19.0), "one step undoes a number")
+	check_equal((wind_part("Speed") as EditorSpinSlider).value, 19.0, "in the panel")
 	await undo()
 	check_equal(plants[0].wind.kind, PlantWind.KIND_CONSTANT, "kind after undo")
 	EditorInterface.save_scene()
@@ -58,13 +51,12 @@ func test_the_sway_shows_a_change_at_once() -> void:
 func test_set_as_scene_wind_is_one_step() -> void:
 	var plants := await _open_scene()
 	EditorInterface.get_selection().clear()
-	await open_page("Wind")
 	var version := _history().get_version()
 	await _press_button("SetForScene")
 	check_equal(_history().get_version(), version + 1, "one step")
 	check_equal(_history().get_current_action_name(), tr("Set Scene Wind"), "its name")
 	for plant in plants:
-		check(plant.wind == _wind(), "all share the wind of the page")
+		check(plant.wind == _wind(), "all share the wind of the panel")
 	await undo()
 	check(not plants[1].wind, "no wind after undo")
 	await redo()
@@ -78,11 +70,10 @@ func test_set_as_scene_wind_is_one_step() -> void:
 	saved.free()
 
 
-func test_the_page_follows_the_selection() -> void:
+func test_the_popup_follows_the_selection() -> void:
 	var plants := await _open_scene()
 	plants[1].wind = PlantWind.new()
 	plants[1].wind.strength = 7.0
-	await open_page("Wind")
 	EditorInterface.get_selection().clear()
 	EditorInterface.get_selection().add_node(plants[1])
 	await frames(3)
@@ -92,7 +83,7 @@ func test_the_page_follows_the_selection() -> void:
 	await frames(3)
 	var state: EditorState = dock().get("state")
 	check(_wind() == state.own_wind, "the selected plant has none: that of new plants")
-	check_equal((part("Wind/Shown") as Label).text, tr("Wind of New Plants"), "what is shown")
+	check_equal((wind_part("Shown") as Label).text, tr("Wind of New Plants"), "what is shown")
 	EditorInterface.get_selection().clear()
 	await frames(3)
 	check(_wind() == plants[0].wind, "without a selection the first of the scene")
@@ -105,10 +96,10 @@ func test_a_wind_of_its_own_file_is_changed_there() -> void:
 		plant.wind = load(SHARED_FILE)
 	EditorInterface.get_selection().add_node(plants[2])
 	await frames(3)
-	await _choose_kind(PlantWind.KIND_WAVES)
+	await _press_button("Gale")
 	check_equal(plants[2].wind.resource_path, SHARED_FILE, "the file stays shared")
 	EditorInterface.save_scene()
-	check_equal(_read_kind(SHARED_FILE), PlantWind.KIND_WAVES, "kind in the file")
+	check_equal(_read_kind(SHARED_FILE), PlantWind.KIND_AIR, "kind in the file")
 	await undo()
 	EditorInterface.save_scene()
 	check_equal(_read_kind(SHARED_FILE), PlantWind.KIND_CONSTANT, "kind in the file after undo")
@@ -127,7 +118,7 @@ func test_a_wind_of_the_add_on_stays_as_it_is() -> void:
 	for plant in plants:
 		check(is_equal_approx(plant.wind.speed, 19.0), "speed in the scene")
 	check(plants[0].wind == plants[1].wind, "the plants still share one wind")
-	check(_wind() == plants[0].wind, "the page edits it")
+	check(_wind() == plants[0].wind, "the panel edits it")
 	await undo()
 	check(plants[0].wind == shipped, "the add-on's wind after undo")
 
@@ -136,26 +127,11 @@ func test_field_takes_part() -> void:
 	var field := await _open_field()
 	var pages := func() -> bool: return field.get_plant_count() > 0
 	check(await until(pages), "the field is filled")
-	await _choose_kind(PlantWind.KIND_CONSTANT)
 	check(not field.wind, "the field has no wind of its own yet")
 	await _press_button("SetForScene")
-	check(field.wind and field.wind.kind == PlantWind.KIND_CONSTANT, "the field has this wind")
+	check(field.wind and field.wind.speed == _wind().speed, "the field has this wind")
 	await undo()
 	check(not field.wind, "no wind after undo")
-
-
-func test_a_scene_without_plants_is_reported() -> void:
-	EditorInterface.open_scene_from_path(_make_empty_scene())
-	await frames(5)
-	await _press_button("SetForScene")
-	var reported := (part("Status/Text") as Label).text
-	check(reported.contains(tr("no plants")), "the status line: " + reported)
-
-
-func _make_constant_wind() -> PlantWind:
-	var wind := PlantWind.new()
-	wind.kind = PlantWind.KIND_CONSTANT
-	return wind
 
 
 func _read_kind(path: String) -> PlantWind.Kind:
@@ -168,13 +144,6 @@ func _make_empty_scene() -> String:
 	root.name = "Nothing"
 	_save_scene(root, EMPTY_FILE)
 	return EMPTY_FILE
-
-
-func _save_scene(root: Node, path: String) -> void:
-	var scene := PackedScene.new()
-	scene.pack(root)
-	root.free()
-	ResourceSaver.save(scene, path)
 
 
 func _history() -> UndoRedo:
@@ -197,26 +166,3 @@ func _open_field() -> PlantField3D:
 	EditorInterface.set_main_screen_editor("3D")
 	await frames(10)
 	return EditorInterface.get_edited_scene_root().get_child(0) as PlantField3D
-
-
-## Opens a scene with three plants, of which the first has a wind.
-func _open_scene() -> Array[Plant3D]:
-	var root := Node3D.new()
-	root.name = "Meadow"
-	for i in 3:
-		var plant := Plant3D.new()
-		plant.species = TulipFunction.new()
-		plant.position.x = i
-		root.add_child(plant)
-		plant.owner = root
-	(root.get_child(0) as Plant3D).wind = _make_constant_wind()
-	_scene_count += 1
-	_scene_file = SCENE_FILES % _scene_count
-	_save_scene(root, _scene_file)
-	EditorInterface.open_scene_from_path(_scene_file)
-	EditorInterface.set_main_screen_editor("3D")
-	await frames(10)
-	EditorInterface.save_scene()
-	var plants: Array[Plant3D] = []
-	plants.assign(EditorInterface.get_edited_scene_root().get_children())
-	return plants

@@ -16,7 +16,7 @@ func test_a_species_has_one_name_in_each_language() -> void:
 		_speak(locale)
 		var title := Translations.text(TITLE)
 		var field := await _open_grass()
-		await open_page("Plant")
+		await open_panel()
 		await _click_in_list(Translations.text("Wheat"))
 		EditorInterface.get_selection().clear()
 		await frames(2)
@@ -34,11 +34,11 @@ func test_new_nodes_have_names_as_in_the_editor() -> void:
 	_speak("en")
 	var field := await _open_grass()
 	var root := field.get_parent()
-	await open_page("Plant")
+	await open_panel()
 	await _click_in_list(TITLE)
 	for button: String in ["AddField", "Add"]:
 		EditorInterface.get_selection().clear()
-		await click(part("Plant/Actions/" + button) as Control)
+		await click(part("Browser/Actions/" + button) as Control)
 		await frames(3)
 		var added := root.get_child(-1)
 		check_equal(added.name, NODE, "name of the new node")
@@ -49,14 +49,13 @@ func test_new_nodes_have_names_as_in_the_editor() -> void:
 
 func test_buttons_say_what_they_do() -> void:
 	_speak("en")
-	await open_page("Plant")
-	var button := part("Plant/Actions/Assign") as Button
+	await open_panel()
+	var button := part("Browser/Actions/Assign") as Button
 	check_equal(button.text, "Use for Selected", "text")
 	var font := button.get_theme_font(&"font")
 	var font_size := button.get_theme_font_size(&"font_size")
 	var width := font.get_string_size(button.text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
 	check(button.size.x >= width, "it is not cut: %f of %f" % [button.size.x, width])
-	check(dock().size.x <= 300.0 * EditorInterface.get_editor_scale() + 40.0, "width of the dock")
 
 
 func test_density_is_in_plants_per_square_metre() -> void:
@@ -75,17 +74,12 @@ func test_density_is_in_plants_per_square_metre() -> void:
 
 
 func _click_in_list(title: String) -> void:
-	var found := find_item(title)
-	check(found[0] != null, title + " is listed")
-	if found[0]:
-		await click_item(found[0], found[1])
+	await choose_tile(title)
 
 
 func _find_marked() -> String:
-	for name: String in LISTS:
-		var list := part("Plant/List/" + name) as ItemList
-		for i in list.get_selected_items():
-			return item_title(list, i)
+	for i in tiles().get_selected_items():
+		return tile_title(i)
 	return ""
 
 

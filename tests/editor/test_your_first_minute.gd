@@ -3,7 +3,7 @@ extends "actions_test.gd"
 ## The first steps of a new user: a new species, drawn with the mouse, sways in the viewport.
 
 const SCENE := "res://first_minute.tscn"
-const SWAY_SCRIPT := "res://addons/undergrowth/editor/wind_page/sway_button.gd"
+const SWAY_SCRIPT := "res://addons/undergrowth/editor/wind/sway_button.gd"
 const SPECIES := "res://first_minute.tres"
 
 
@@ -11,7 +11,7 @@ func test_a_species_of_ones_own_sways_in_the_viewport() -> void:
 	await _open_scene(SCENE, _make_garden())
 	EditorInterface.set_main_screen_editor("3D")
 	_use_a_first_users_wind()
-	await _choose("Own Drawing")
+	await inspect("Own Drawing")
 	await _draw_a_bulb()
 	await _save()
 	_select([])
@@ -37,7 +37,7 @@ func _use_a_first_users_wind() -> void:
 ## Narrow in the middle, wide at the top.
 func _draw_a_bulb() -> void:
 	var curve := (_state().function as CurvePlantFunction).width_curve
-	var points := part("Plant/Points") as Control
+	var points := plot_points() as Control
 	await frames(2)
 	var grip := Vector2(points.size.x * curve.get_point_position(1).x, 0.0)
 	await drag(points, grip, Vector2(points.size.x * 0.8, 2.0))

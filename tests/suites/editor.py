@@ -17,7 +17,7 @@ HOME = LOGS / "editor_home"
 PICTURES = LOGS / "editor_pictures"
 # Those of the dock go there, and these must be among them.
 PICTURES_END = ROOT / "build"
-WANTED = ["dock_plant.png", "dock_wind.png", "dock_air.png", "dock_painted.png", "dock_light.png", "dock_1600.png", "dock_1920.png",
+WANTED = ["dock_plant.png", "dock_wind.png", "dock_wind_panel.png", "dock_air.png", "dock_painted.png", "dock_light.png", "dock_1600.png", "dock_1920.png",
           "dock_200.png", "dock_200_light.png", "dock_200_light_wind.png"]
 SCREEN = (1600, 1000)
 # Those of some runs: as low as screens are, as most are, and twice as many pixels an inch.

@@ -1,59 +1,52 @@
 @tool
 extends VBoxContainer
-## The dock's frame: a page for plants, a page for the wind, and a status line below both.
+## The panel "Undergrowth" below the 3D view: tiles of mixes and species with their actions, and a
+## status line.
 
+const Browser := preload("browser/browser.gd")
 const EditorState := preload("editor_state.gd")
-const PlantPage := preload("plant_page/plant_page.gd")
-const WindPage := preload("wind_page/wind_page.gd")
 const Translations := preload("translations/translations.gd")
 const StatusLine := preload("widgets/status_line.gd")
+const TOASTS: Dictionary[int, EditorToaster.Severity] = {
+	EditorState.Severity.WARNING: EditorToaster.SEVERITY_WARNING,
+	EditorState.Severity.ERROR: EditorToaster.SEVERITY_ERROR,
+}
 
-## Minimum width in pixels at 100 %. It leaves enough room on small screens.
-const MIN_WIDTH := 300
+## Minimum height in pixels at 100 %: pictures of two rows of tiles, and the actions.
+const MIN_HEIGHT := 290
 
-## State that both pages share.
+## State that all parts of the add-on's editor share.
 var state := EditorState.new()
 
-@onready var _pages: TabContainer = %Pages
-@onready var _plant_page: PlantPage = %Plant
-@onready var _wind_page: WindPage = %Wind
+@onready var _browser: Browser = %Browser
 @onready var _status: StatusLine = %Status
-@onready var _status_frame: MarginContainer = %StatusFrame
 
 
-## Activates the dock. A dock that is only opened as a scene stays inactive.
+## Activates the panel. A panel that is only opened as a scene stays inactive.
 func setup(plugin: EditorPlugin) -> void:
 	set_translation_domain(Translations.DOMAIN)
-	_pages.set_tab_title(_pages.get_tab_idx_from_control(_plant_page), tr("Plant"))
-	_pages.set_tab_title(_pages.get_tab_idx_from_control(_wind_page), tr("Wind"))
-	custom_minimum_size.x = MIN_WIDTH * EditorInterface.get_editor_scale()
+	custom_minimum_size.y = MIN_HEIGHT * EditorInterface.get_editor_scale()
 	_status.setup(state)
-	_align_status()
-	_plant_page.setup(state, plugin.get_undo_redo(), self)
-	_wind_page.setup(state, plugin)
+	_browser.setup(state, plugin.get_undo_redo(), self)
+	state.reported.connect(_on_reported)
 
 
 ## Returns true if [param data] of a drag is a mix or a species.
 func accepts_drag(data: Variant) -> bool:
-	return _plant_page.accepts_drag(data)
+	return _browser.accepts_drag(data)
 
 
 ## Adds a field of the dragged mix or species at [param pixel] of the 3D view [param view].
 func drop(data: Variant, view: SubViewport, pixel: Vector2) -> void:
-	_plant_page.drop(data, view, pixel)
+	_browser.drop(data, view, pixel)
 
 
 func _notification(what: int) -> void:
 	if what == NOTIFICATION_PREDELETE and state:
 		state.close()
-	elif what == NOTIFICATION_THEME_CHANGED and is_node_ready():
-		_align_status()
 
 
-# Below the pages' content. The theme adds a margin at their edges.
-func _align_status() -> void:
-	var panel := _pages.get_theme_stylebox(&"panel")
-	var left := roundi(panel.get_margin(SIDE_LEFT))
-	var right := roundi(panel.get_margin(SIDE_RIGHT))
-	_status_frame.add_theme_constant_override(&"margin_left", left)
-	_status_frame.add_theme_constant_override(&"margin_right", right)
+# While the panel is hidden, warnings appear where the editor's own do.
+func _on_reported(text: String, severity: EditorState.Severity) -> void:
+	if text and TOASTS.has(severity) and not is_visible_in_tree():
+		EditorInterface.get_editor_toaster().push_toast(text, TOASTS[severity])

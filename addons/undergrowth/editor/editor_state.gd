@@ -1,16 +1,12 @@
 @tool
 extends RefCounted
-## State that the dock's pages share: the chosen species or mix, its view, the wind of the preview,
-## and the text of the status line.
+## State that the parts of the add-on's editor share: the chosen species or mix, the wind of the
+## scene, and the text of the status line.
 
 ## Emitted when another species or mix was chosen, or none.
 signal function_chosen
-## Emitted when the user picked an entry in the list to use it.
-signal picked
-## Emitted when properties of the chosen species changed. Its meshes may be out of date.
-signal function_edited
-## Emitted when [member height], [member seed_value] or [member segments] changed.
-signal view_changed
+## Emitted when the user clicked tiles to use their species.
+signal picked(functions: Array[PlantFunction], titles: PackedStringArray)
 ## Emitted when the wind was replaced or its properties changed.
 signal wind_changed
 ## Emitted when [member sways] changed.
@@ -22,10 +18,12 @@ signal work_changed
 
 enum Severity { INFO, WARNING, ERROR }
 
-## Segments of the four levels of detail that the dock shows and bakes, finest first.
+## Segments of the four levels of detail that the inspector shows and the add-on bakes, finest
+## first.
 const LEVELS: Array[int] = [24, 12, 6, 3]
 ## Segments of a plant near the camera.
 const NEAR_SEGMENTS := 24
+const FIRST_SEED := 1
 const BREEZE: PlantWind = preload("res://addons/undergrowth/winds/breeze.tres")
 
 ## The chosen species, or null for none or a mix.
@@ -43,21 +41,6 @@ var title := ""
 var path := ""
 ## The reason that prevents a build of the chosen species and its solution, or an empty text.
 var problem := ""
-## Height of the previewed plant in metres. 0: the species' own.
-var height := 0.0:
-	set(value):
-		height = value
-		_on_view_changed()
-## Seed of the shown plant.
-var seed_value := 1:
-	set(value):
-		seed_value = value
-		_on_view_changed()
-## Vertical segments of the previewed plant.
-var segments := NEAR_SEGMENTS:
-	set(value):
-		segments = value
-		_on_view_changed()
 ## The shown wind: that of the edited scene, or [member own_wind].
 var wind: PlantWind:
 	get:
@@ -102,7 +85,7 @@ func _init() -> void:
 
 ## Releases the chosen species and the wind. Call it when the dock closes.
 func close() -> void:
-	_watch(_function, null, _on_function_edited)
+	_watch(_function, null, _check)
 	_watch(_wind, null, _on_wind_changed)
 	_function = null
 	_wind = null
@@ -143,7 +126,6 @@ func show_new_plants_move() -> void:
 func fail(text: String) -> void:
 	problem = text
 	report(text, Severity.ERROR)
-	function_edited.emit()
 
 
 ## Shows [param text] in the status line.
@@ -181,7 +163,7 @@ func cancel_work() -> void:
 func _take(
 	new_function: PlantFunction, new_path: String, new_title: String, new_origin: PlantFunction
 ) -> void:
-	_watch(_function, new_function, _on_function_edited)
+	_watch(_function, new_function, _check)
 	_function = new_function
 	origin = new_origin
 	path = new_path
@@ -200,7 +182,7 @@ func _watch(before: Resource, after: Resource, listener: Callable) -> void:
 func _check() -> void:
 	var found := ""
 	if _function:
-		found = _function.find_problem(height, segments, seed_value)
+		found = _function.find_problem(0.0, NEAR_SEGMENTS, FIRST_SEED)
 	if found == problem:
 		return
 	problem = found
@@ -210,15 +192,5 @@ func _check() -> void:
 		report("%s: %s" % [title, problem], Severity.ERROR)
 
 
-func _on_function_edited() -> void:
-	_check()
-	function_edited.emit()
-
-
 func _on_wind_changed() -> void:
 	wind_changed.emit()
-
-
-func _on_view_changed() -> void:
-	_check()
-	view_changed.emit()

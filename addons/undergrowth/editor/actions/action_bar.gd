@@ -1,6 +1,7 @@
 @tool
 extends HFlowContainer
-## The dock's actions for the chosen species or mix: adds it to the scene, saves or bakes a species.
+## The panel's actions for the chosen species or mix: adds it to the scene, saves or bakes a
+## species.
 
 ## Emitted when the chosen species was saved to a file and that file is chosen.
 signal saved(entry: SpeciesEntry)
@@ -8,11 +9,12 @@ signal saved(entry: SpeciesEntry)
 signal added(node: Node)
 
 const EditorState := preload("../editor_state.gd")
-const SpeciesEntry := preload("../plant_page/species_entry.gd")
+const SpeciesEntry := preload("../browser/species_entry.gd")
 const Bake := preload("bake.gd")
 const BakeDialog := preload("bake_dialog.gd")
 const BakeOptions := preload("bake_options.gd")
 const FileNames := preload("file_names.gd")
+const Inspecting := preload("inspecting.gd")
 const NewPlace := preload("new_place.gd")
 const NewSpeciesDialog := preload("new_species_dialog.gd")
 const ProjectFiles := preload("project_files.gd")
@@ -90,9 +92,6 @@ func _on_add_pressed() -> void:
 	var function := _to_scene_function(root)
 	var wind := SceneActions.to_scene_wind(_state.own_wind, root)
 	var plant := SceneActions.make_plant(function, wind, _state.title)
-	plant.height = _state.height
-	plant.seed = _state.seed_value
-	plant.segments = _state.segments
 	_add_to_scene(root, plant, NewPlace.find(EditorInterface.get_editor_viewport_3d(0), root))
 
 
@@ -189,7 +188,8 @@ func _on_save_pressed() -> void:
 	_save_dialog.popup_file_dialog()
 
 
-## Saves the chosen species to [param path] and chooses the file's content.
+## Saves the chosen species to [param path], chooses the file's content and opens it in the
+## inspector.
 func save_as(path: String) -> void:
 	var problem := ProjectFiles.find_problem(path)
 	if not problem.is_empty():
@@ -201,6 +201,7 @@ func save_as(path: String) -> void:
 		return
 	ProjectFiles.announce(path)
 	_choose(saved, path, false)
+	Inspecting.open(saved)
 	_state.report(tr("Saved %s.") % path)
 
 
@@ -223,7 +224,7 @@ func _on_new_accepted(title: String, folder: String) -> void:
 
 func _on_bake_pressed() -> void:
 	if _can_build():
-		_bake_dialog.open(_state.title, _state.height, _state.seed_value)
+		_bake_dialog.open(_state.title)
 
 
 func _on_bake_accepted(options: BakeOptions) -> void:

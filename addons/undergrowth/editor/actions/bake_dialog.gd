@@ -36,10 +36,8 @@ func _ready() -> void:
 
 
 ## Opens the dialog for a plant called [param title]. The other options stay as last chosen.
-func open(title: String, height: float, first_seed: int) -> void:
+func open(title: String) -> void:
 	_title.text = title
-	_height.value = height
-	_seed.value = first_seed
 	_check()
 	popup_centered(Vector2i(Vector2(SIZE) * EditorInterface.get_editor_scale()))
 	_title.grab_focus()

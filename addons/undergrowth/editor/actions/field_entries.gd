@@ -18,12 +18,10 @@ static func find(field: PlantField3D, function: PlantFunction) -> PlantFieldSpec
 	return null
 
 
-## Returns a new entry of [param function] for [param field] with a layer of its own. The field has
-## no entry of that species.
-static func make(field: PlantField3D, function: PlantFunction) -> PlantFieldSpecies:
+## Returns a new entry of [param function] with a layer that is not in [param taken].
+static func make(function: PlantFunction, taken: PackedStringArray) -> PlantFieldSpecies:
 	var entry := FieldDefaults.make_entry(function)
 	var own := entry.get_layer_name()
-	var taken := layers_of(field)
 	var number := 2
 	while entry.get_layer_name() in taken:
 		entry.layer = "%s %d" % [own, number]

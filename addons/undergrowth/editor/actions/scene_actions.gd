@@ -7,7 +7,7 @@ const FieldDefaults := preload("field_defaults.gd")
 const FieldEntries := preload("field_entries.gd")
 const FileNames := preload("file_names.gd")
 const SameResource := preload("same_resource.gd")
-const ScenePlants := preload("../wind_page/scene_plants.gd")
+const ScenePlants := preload("../wind/scene_plants.gd")
 
 
 ## Adds [param plant], a single one or a field, below [param parent] in the scene of [param root],
@@ -152,7 +152,7 @@ static func _add_species(
 ) -> void:
 	if FieldEntries.find(field, function):
 		return
-	var new_entry := FieldEntries.make(field, function)
+	var new_entry := FieldEntries.make(function, FieldEntries.layers_of(field))
 	var density := FieldEntries.suit(field, new_entry)
 	undo.add_do_property(field, &"density", density)
 	undo.add_undo_property(field, &"density", field.density)

@@ -7,20 +7,26 @@ extends HBoxContainer
 signal fill_wanted
 ## Emitted when the user wants the field on the ground.
 signal place_wanted
+## Emitted when the user wants the field off the ground, or not any more.
+signal flat_wanted(on: bool)
 
 const BrushOptions := preload("brush_options.gd")
 const Translations := preload("../translations/translations.gd")
 
 ## Icons of the editor, by tool.
-const ICONS: Array[StringName] = [&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick"]
+const ICONS: Array[StringName] = [
+	&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick", &"CurveInOut", &"CurveClose"
+]
 const FILL_ICON := &"Reload"
 const PLACE_ICON := &"Snap"
+const KEEP_ICON := &"Pin"
 
 var _options: BrushOptions
 
-@onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick]
+@onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick, %Trail, %Path]
 @onready var _fill: Button = %Fill
 @onready var _place: Button = %Place
+@onready var _keep_flat: Button = %KeepFlat
 
 
 ## Shows and changes [param options].
@@ -31,9 +37,16 @@ func setup(options: BrushOptions) -> void:
 		_tools[tool].pressed.connect(_on_tool_pressed.bind(tool))
 	_fill.pressed.connect(fill_wanted.emit)
 	_place.pressed.connect(place_wanted.emit)
+	_keep_flat.toggled.connect(flat_wanted.emit)
 	options.changed.connect(_show)
 	_apply_theme()
 	_show()
+
+
+## Shows the field's ground: [param is_flat] without a ground mode, [param is_kept] so by the user.
+func show_ground(is_flat: bool, is_kept: bool) -> void:
+	_keep_flat.visible = is_flat
+	_keep_flat.set_pressed_no_signal(is_kept)
 
 
 func _notification(what: int) -> void:
@@ -56,3 +69,4 @@ func _apply_theme() -> void:
 		_tools[tool].icon = get_theme_icon(ICONS[tool], &"EditorIcons")
 	_fill.icon = get_theme_icon(FILL_ICON, &"EditorIcons")
 	_place.icon = get_theme_icon(PLACE_ICON, &"EditorIcons")
+	_keep_flat.icon = get_theme_icon(KEEP_ICON, &"EditorIcons")

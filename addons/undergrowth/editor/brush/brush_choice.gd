@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## The species that the brush paints: species of the field, and the one picked in the dock's list. A
-## stroke adds the picked species to a field without it.
+## The species that the brush paints: species of the field, and those picked in the panel's tiles. A
+## stroke adds picked species to a field without them.
 
 const EditorState := preload("../editor_state.gd")
 const FieldEntries := preload("../actions/field_entries.gd")
@@ -14,13 +14,14 @@ var _state: EditorState
 var _options: BrushOptions
 var _settings: BrushSettings
 var _field: PlantField3D
-# The dock's species is painted, whether or not the field already has it.
-var _has_picked := false
-# Map layer for the picked species. Empty if the field already has the species.
-var _new_layer := ""
+# Painted, whether or not the field already has them.
+var _picked: Array[PlantFunction] = []
+var _picked_titles: PackedStringArray = []
+# Those that the field does not have, by their future layers.
+var _new: Dictionary[String, PlantFunction] = {}
 
 
-## Changes [param options] and shows in [param settings] the species picked in the dock of
+## Changes [param options] and shows in [param settings] the species picked in the tiles of
 ## [param state].
 func setup(state: EditorState, options: BrushOptions, settings: BrushSettings) -> void:
 	_state = state
@@ -36,46 +37,64 @@ func close() -> void:
 ## Sets the edited field, or none if [param field] is null.
 func edit(field: PlantField3D) -> void:
 	_field = field
-	_has_picked = false
+	_picked.clear()
 	refresh()
 
 
 ## Call after a possible change of the field's species.
 func refresh() -> void:
 	var names := FieldEntries.layers_of(_field) if _field else PackedStringArray()
-	_new_layer = ""
-	if _has_picked and _state.function and not FieldEntries.find(_field, _get_picked()):
-		_new_layer = _make_entry().get_layer_name()
-		names.append(_new_layer)
-	var function := _state.function if _new_layer else null
-	_settings.show_field(_field, function, _new_layer, Translations.text(_state.title))
+	var titles: Dictionary[String, String] = {}
+	_new.clear()
+	for i in _picked.size():
+		if not FieldEntries.find(_field, _picked[i]):
+			var layer := FieldEntries.make(_picked[i], names).get_layer_name()
+			_new[layer] = _picked[i]
+			titles[layer] = Translations.text(_picked_titles[i])
+			names.append(layer)
+	_settings.show_field(_field, _new, titles)
 	_keep_only(names)
 
 
-## Returns the entry that a stroke adds to the field, usually null.
-func take_new_entry() -> PlantFieldSpecies:
-	if not _new_layer or not _new_layer in _options.species:
-		return null
-	var entry := _make_entry()
-	var chosen := _options.species.duplicate()
-	chosen[chosen.find(_new_layer)] = entry.get_layer_name()
-	_options.species = chosen
-	return entry
+## Returns the entries that a stroke adds to the field, usually none.
+func take_new_entries() -> Array[PlantFieldSpecies]:
+	var entries: Array[PlantFieldSpecies] = []
+	var names := FieldEntries.layers_of(_field)
+	for layer in _new:
+		if layer in _options.species:
+			entries.append(FieldEntries.make(_new[layer], names))
+		names.append(layer)
+	return entries
 
 
-func _on_picked() -> void:
-	if not _field or not _state.function or _state.problem:
+func _on_picked(functions: Array[PlantFunction], titles: PackedStringArray) -> void:
+	if not _field or functions.is_empty() or _state.problem:
 		return
-	_has_picked = true
+	_picked.clear()
+	_picked_titles = titles
+	var root := EditorInterface.get_edited_scene_root()
+	for function in functions:
+		_picked.append(SceneActions.to_scene_function(function, root))
 	refresh()
-	if _new_layer:
-		_options.species = [_new_layer]
+	var layers: PackedStringArray = _new.keys()
+	for function in _picked:
+		var known := FieldEntries.find(_field, function)
+		if known:
+			layers.append(known.get_layer_name())
+	_options.species = layers
+	_report()
+
+
+func _report() -> void:
+	var names: PackedStringArray = []
+	for title in _picked_titles:
+		names.append(Translations.text(title))
+	var joined := ", ".join(names)
+	if _new:
 		var message := Translations.text("The brush above the 3D view paints %s into %s.")
-		_state.report(message % [Translations.text(_state.title), _field.name])
+		_state.report(message % [joined, _field.name])
 	else:
-		_options.species = [FieldEntries.find(_field, _get_picked()).get_layer_name()]
-		var message := Translations.text("The brush above the 3D view paints %s.")
-		_state.report(message % Translations.text(_state.title))
+		_state.report(Translations.text("The brush above the 3D view paints %s.") % joined)
 
 
 func _keep_only(names: PackedStringArray) -> void:
@@ -85,12 +104,3 @@ func _keep_only(names: PackedStringArray) -> void:
 			kept.append(title)
 	if kept != _options.species:
 		_options.species = kept
-
-
-func _get_picked() -> PlantFunction:
-	var root := EditorInterface.get_edited_scene_root()
-	return SceneActions.to_scene_function(_state.function, root, _state.origin)
-
-
-func _make_entry() -> PlantFieldSpecies:
-	return FieldEntries.make(_field, _get_picked())

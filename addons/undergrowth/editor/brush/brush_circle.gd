@@ -14,7 +14,13 @@ const LIFT := 0.03
 ## As a fraction of the radius.
 const BREADTH := 0.06
 const COLORS: Array[Color] = [
-	Color.WHITE, Color(0.55, 1.0, 0.4), Color(1.0, 0.45, 0.35), Color(0.5, 0.75, 1.0), Color.WHITE
+	Color.WHITE,
+	Color(0.55, 1.0, 0.4),
+	Color(1.0, 0.45, 0.35),
+	Color(0.5, 0.75, 1.0),
+	Color.WHITE,
+	Color(1.0, 0.85, 0.4),
+	Color(1.0, 0.85, 0.4)
 ]
 
 var _mesh := ImmediateMesh.new()

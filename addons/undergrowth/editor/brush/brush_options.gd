@@ -5,7 +5,7 @@ extends RefCounted
 ## Emitted when an option changed.
 signal changed
 
-enum Tool { NONE, PAINT, ERASE, HEIGHT, PICK }
+enum Tool { NONE, PAINT, ERASE, HEIGHT, PICK, TRAIL, PATH }
 
 const MIN_RADIUS := 0.1
 const MAX_RADIUS := 100.0
@@ -22,6 +22,11 @@ var tool := Tool.NONE:
 var radius := 2.0:
 	set(value):
 		radius = clampf(value, MIN_RADIUS, MAX_RADIUS)
+		changed.emit()
+## Of drawn paths, in metres.
+var width := 1.0:
+	set(value):
+		width = clampf(value, MIN_RADIUS, MAX_RADIUS)
 		changed.emit()
 ## Effect of one touch, as a fraction of the full effect.
 var strength := 0.5:
@@ -59,3 +64,13 @@ var species: PackedStringArray = []:
 ## Returns the tool in effect while these keys are held.
 func tool_with(ctrl: bool) -> Tool:
 	return Tool.ERASE if ctrl and tool == Tool.PAINT else tool
+
+
+## True while the tool draws a path.
+func draws_path() -> bool:
+	return tool in [Tool.TRAIL, Tool.PATH]
+
+
+## Returns the radius and the falloff of the circle at the pointer.
+func get_circle() -> Vector2:
+	return Vector2(width * 0.5, 0.0) if draws_path() else Vector2(radius, falloff)

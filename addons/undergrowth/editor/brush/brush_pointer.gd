@@ -6,6 +6,8 @@ extends RefCounted
 const BrushGround := preload("brush_ground.gd")
 
 var is_ctrl_pressed := false
+## Whether the left button is down.
+var is_pressed := false
 
 var _camera: Camera3D
 var _point := Vector2.ZERO
@@ -20,11 +22,16 @@ func move_to(camera: Camera3D, event: InputEventMouse) -> void:
 	if event is InputEventMouseButton:
 		_found_by = []  # A stroke starts on the current ground.
 	is_ctrl_pressed = event.ctrl_pressed
+	is_pressed = event.button_mask & MOUSE_BUTTON_MASK_LEFT != 0
 
 
 ## Returns the position of the pointer in its 3D view.
 func get_point() -> Vector2:
 	return _point
+
+
+func get_camera() -> Camera3D:
+	return _camera
 
 
 ## True if [param overlay] covers the 3D view of the pointer.

@@ -21,11 +21,12 @@ var _options: BrushOptions
 var _field: PlantField3D
 # Layers of the species buttons, in their order.
 var _names: PackedStringArray = []
-# Layer of the species that the field does not contain yet.
-var _new_layer := ""
+# Layers of species that the field does not contain yet.
+var _new_layers: PackedStringArray = []
 
 @onready var _numbers: HBoxContainer = %Numbers
 @onready var _radius: EditorSpinSlider = %Radius
+@onready var _path_width: EditorSpinSlider = %PathWidth
 @onready var _strength: EditorSpinSlider = %Strength
 @onready var _falloff: EditorSpinSlider = %Falloff
 @onready var _density: DensitySlider = %Density
@@ -41,6 +42,7 @@ func setup(options: BrushOptions) -> void:
 	_options = options
 	set_translation_domain(Translations.DOMAIN)
 	_radius.value_changed.connect(func(metres: float) -> void: _options.radius = metres)
+	_path_width.value_changed.connect(func(metres: float) -> void: _options.width = metres)
 	_strength.value_changed.connect(func(share: float) -> void: _options.strength = share)
 	_falloff.value_changed.connect(func(share: float) -> void: _options.falloff = share)
 	_density.value_changed.connect(func(plants: float) -> void: _options.density = plants)
@@ -56,10 +58,12 @@ func setup(options: BrushOptions) -> void:
 	_show()
 
 
-## Shows the species of [param field] (null: none), and [param new_species] with its title, which
-## the field does not contain yet. Its layer in the map will be [param new_layer].
+## Shows the species of [param field] (null: none), and [param added], which the field does not
+## contain yet, by their future layers in the map, with [param new_titles].
 func show_field(
-	field: PlantField3D, new_species: PlantFunction = null, new_layer := "", new_title := ""
+	field: PlantField3D,
+	added: Dictionary[String, PlantFunction] = {},
+	new_titles: Dictionary[String, String] = {}
 ) -> void:
 	_field = field
 	var functions: Array[PlantFunction] = []
@@ -71,13 +75,14 @@ func show_field(
 			functions.append(entry.species)
 			names.append(layer)
 			titles.append(LayerTitles.of(field, layer))
-	if new_species:
-		functions.append(new_species)
-		names.append(new_layer)
-		titles.append("+ " + new_title)
-	if names != _names or new_layer != _new_layer:
+	for layer in added:
+		functions.append(added[layer])
+		names.append(layer)
+		titles.append("+ " + new_titles[layer])
+	var new_layers: PackedStringArray = added.keys()
+	if names != _names or new_layers != _new_layers:
 		_names = names
-		_new_layer = new_layer
+		_new_layers = new_layers
 		_make_buttons(functions, titles)
 	_show()
 
@@ -126,8 +131,8 @@ func _add_species(function: PlantFunction, layer: String, title: String) -> void
 
 
 func _explain(layer: String, title: String) -> String:
-	if layer == _new_layer:
-		return tr("Picked in the dock. Painting adds it to the field.")
+	if layer in _new_layers:
+		return tr("Picked in the panel. Painting adds it to the field.")
 	return tr("Paint %s. Where none is chosen, all are.") % title
 
 
@@ -177,12 +182,17 @@ func _show_density() -> void:
 func _show() -> void:
 	show_message("")
 	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
-	_species.visible = _names.size() <= MAX_BUTTONS
-	_menu.visible = _names.size() > MAX_BUTTONS
+	var paints := not _options.draws_path()
+	_species.visible = paints and _names.size() <= MAX_BUTTONS
+	_menu.visible = paints and _names.size() > MAX_BUTTONS
+	_path_width.visible = not paints
+	for slider: Control in [_radius, _strength, _falloff]:
+		slider.visible = paints
 	_menu.show_painted(_options.species)
 	_show_density()
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
 	_radius.set_value_no_signal(_options.radius)
+	_path_width.set_value_no_signal(_options.width)
 	_strength.set_value_no_signal(_options.strength)
 	_falloff.set_value_no_signal(_options.falloff)
 	_plant_height.set_value_no_signal(_options.height)
@@ -193,6 +203,7 @@ func _show() -> void:
 # These sliders do not translate their labels themselves.
 func _translate() -> void:
 	_radius.label = tr("Radius")
+	_path_width.label = tr("Width")
 	_strength.label = tr("Strength")
 	_falloff.label = tr("Falloff")
 	_density.label = tr("Density")

@@ -1,9 +1,10 @@
 @tool
 extends RefCounted
 ## One stroke of the brush on the map of a field, from press to release: one step of undo. A field
-## without a map gets one with the density of its area. The stroke also adds a new species.
+## without a map gets one with the density of its area. The stroke also adds new species.
 
 const FieldEntries := preload("../actions/field_entries.gd")
+const AreaModes := preload("../field/area_modes.gd")
 const LayerTitles := preload("layer_titles.gd")
 const Translations := preload("../translations/translations.gd")
 const BrushDensity := preload("brush_density.gd")
@@ -37,7 +38,7 @@ func _init(
 	tool: BrushOptions.Tool,
 	smooths: bool,
 	species: PackedStringArray,
-	new_entry: PlantFieldSpecies = null
+	added: Array[PlantFieldSpecies] = []
 ) -> void:
 	_field = field
 	_options = options
@@ -49,11 +50,11 @@ func _init(
 	if field.species.is_empty():
 		field.species = [PlantFieldSpecies.of(load(GRASS) as PlantFunction)]
 	_is_new = field.map == null
-	_map = _make_map() if _is_new else field.map
+	_map = AreaModes.make_map(field) if _is_new else field.map
 	_before = _map.snapshot()
 	_map.area_changed.connect(_on_area_changed)
-	if new_entry:
-		FieldEntries.add(field, new_entry)
+	for entry in added:
+		FieldEntries.add(field, entry)
 	if _is_new:
 		field.map = _map
 	_names = _choose_names()
@@ -132,13 +133,6 @@ func _touch(place: Vector3, pressure: float) -> void:
 func _radius() -> float:
 	var scale := _field.global_basis.get_scale().x
 	return clampf(_options.radius / maxf(scale, 1e-6), 0.01, BrushOptions.MAX_RADIUS)
-
-
-func _make_map() -> PlantMap:
-	var map := PlantMap.new()
-	for title in FieldEntries.layers_of(_field):
-		map.fill_polygon(_field.get_outline_points(), title)
-	return map
 
 
 # Returns the chosen layers of the field, or all if none is chosen.

@@ -13,6 +13,7 @@ const BrushSettings := preload("brush_settings.gd")
 const BrushStroke := preload("brush_stroke.gd")
 const BrushPointer := preload("brush_pointer.gd")
 const FieldPlacing := preload("../field/field_placing.gd")
+const PathTool := preload("path_tool.gd")
 const PenPressure := preload("pen_pressure.gd")
 const TransformGizmo := preload("transform_gizmo.gd")
 
@@ -38,10 +39,11 @@ var _pen := PenPressure.new()
 # True until the stroke has touched the ground.
 var _waits_for: Variant
 var _choice := BrushChoice.new()
+var _path_tool := PathTool.new()
 
 
 ## Adds the toolbar and the settings to the 3D editor of [param plugin]. It paints the species
-## picked in the dock of [param state].
+## picked in the panel of [param state].
 func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_plugin = plugin
 	plugin.get_undo_redo().history_changed.connect(_on_history_changed)
@@ -52,11 +54,13 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_bar.setup(options)
 	_bar.fill_wanted.connect(_on_fill_wanted)
 	_bar.place_wanted.connect(_on_place_wanted)
+	_bar.flat_wanted.connect(_on_flat_wanted)
 	_bar.hide()
 	_settings = (load(folder.path_join(SETTINGS_SCENE)) as PackedScene).instantiate()
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
 	_settings.setup(options)
 	_choice.setup(state, options, _settings)
+	_path_tool.setup(plugin.get_undo_redo(), options)
 	_circle = BrushCircle.new()
 	options.changed.connect(_on_options_changed)
 
@@ -80,6 +84,7 @@ func edit(field: PlantField3D) -> void:
 	if field == _field:
 		return
 	end_stroke()
+	_path_tool.cancel()
 	if _field and is_instance_valid(_field):
 		_field.tree_exiting.disconnect(_on_field_leaves)
 	_field = field
@@ -88,6 +93,7 @@ func edit(field: PlantField3D) -> void:
 	else:
 		options.tool = BrushOptions.Tool.NONE
 	_bar.visible = field != null
+	_show_ground()
 	_choice.edit(field)
 	_hide_circle()
 
@@ -109,12 +115,17 @@ func handle(camera: Camera3D, event: InputEvent) -> bool:
 	if _stroke and pressure > 0.0:
 		_pressure = pressure
 	_follow_pointer_soon()
+	if options.draws_path():
+		return motion.button_mask & MOUSE_BUTTON_MASK_LEFT != 0
 	return _stroke != null
 
 
 func _handle_key(key: InputEventKey) -> bool:
 	if not key.pressed or key.ctrl_pressed or key.alt_pressed:
 		return false
+	if _path_tool.handle_key(key.keycode):
+		_plugin.update_overlays()
+		return true
 	match key.keycode:
 		KEY_BRACKETLEFT:
 			_scale_radius(1.0 / BrushOptions.RADIUS_FACTOR)
@@ -138,7 +149,10 @@ func _handle_wheel(button: InputEventMouseButton) -> bool:
 
 
 func _scale_radius(factor: float) -> void:
-	options.radius *= factor
+	if options.draws_path():
+		options.width *= factor
+	else:
+		options.radius *= factor
 	_follow_pointer_soon()
 
 
@@ -147,6 +161,8 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 		return true
 	if button.button_index != MOUSE_BUTTON_LEFT or button.alt_pressed:
 		return false
+	if options.draws_path():
+		return _handle_path(camera, button)
 	if not button.pressed:
 		var had_one := _stroke != null
 		end_stroke()
@@ -166,14 +182,27 @@ func _handle_button(camera: Camera3D, button: InputEventMouseButton) -> bool:
 	return true
 
 
+func _handle_path(camera: Camera3D, button: InputEventMouseButton) -> bool:
+	_pointer.move_to(camera, button)
+	var place: Variant = _pointer.find_place(_field)
+	if not button.pressed:
+		_path_tool.release()
+	elif place is Vector3:
+		_path_tool.press(_field, place, button.double_click)
+	_plugin.update_overlays()
+	return true
+
+
 func _begin_stroke(
 	place: Vector3, tool: BrushOptions.Tool, smooths: bool, erases_all: bool
 ) -> void:
 	var paints := tool == BrushOptions.Tool.PAINT and not smooths
-	var new_entry := _choice.take_new_entry() if paints else null
+	var added: Array[PlantFieldSpecies] = []
+	if paints:
+		added = _choice.take_new_entries()
 	_settings.show_message("")
 	var species := PackedStringArray() if erases_all else options.species
-	_stroke = BrushStroke.new(_field, options, tool, smooths, species, new_entry)
+	_stroke = BrushStroke.new(_field, options, tool, smooths, species, added)
 	_pressure = 0.0
 	_waits_for = place
 	if not _pen.begin():
@@ -219,6 +248,9 @@ func draw_over(overlay: Control) -> void:
 	var place: Variant = _pointer.find_place(_field)
 	if not place is Vector3:
 		return
+	if options.draws_path():
+		_path_tool.draw_over(overlay, _pointer.get_camera(), _pointer.get_point())
+		return
 	var tool := options.tool_with(_pointer.is_ctrl_pressed)
 	var names := _settings.get_painted_names()
 	var text := BrushReadout.describe(_field, options, tool, names, _field.to_local(place))
@@ -250,6 +282,17 @@ func _on_place_wanted() -> void:
 	)
 
 
+func _on_flat_wanted(on: bool) -> void:
+	if _field:
+		FieldPlacing.keep_flat(_plugin.get_undo_redo(), _field, on)
+
+
+func _show_ground() -> void:
+	if _field:
+		var is_flat := _field.ground_mode == PlantField3D.GROUND_NONE
+		_bar.show_ground(is_flat, FieldPlacing.is_kept_flat(_field))
+
+
 func _on_fill_wanted() -> void:
 	if _field:
 		_field.rebuild()
@@ -259,6 +302,7 @@ func _on_fill_wanted() -> void:
 func _on_history_changed() -> void:
 	if _field and not _stroke:
 		_choice.refresh()
+		_show_ground()
 
 
 # Once per frame, for any number of pointer events.
@@ -271,7 +315,14 @@ func _follow_pointer_soon() -> void:
 func _follow_pointer() -> void:
 	_has_moved = false
 	_move_stroke()
+	_move_path()
 	_show_circle()
+
+
+func _move_path() -> void:
+	var place: Variant = _pointer.find_place(_field) if _field and options.draws_path() else null
+	if place is Vector3:
+		_path_tool.move_to(_field, place, _pointer.is_pressed)
 
 
 # Moves the stroke to the pointer if the pointer has moved with the pen down.
@@ -291,13 +342,14 @@ func _show_circle() -> void:
 		return
 	var tool := options.tool_with(_pointer.is_ctrl_pressed)
 	var state := [_pointer.get_sight(), _field.global_transform]
-	state.append_array([options.radius, options.falloff, tool])
+	state.append_array([options.get_circle(), tool])
 	if state == _drawn_circle:
 		return
 	_drawn_circle = state
 	var place: Variant = _pointer.find_place(_field)
 	if place is Vector3:
-		_circle.show_at(_field, place, options.radius, options.falloff, tool)
+		var circle := options.get_circle()
+		_circle.show_at(_field, place, circle.x, circle.y, tool)
 	else:
 		_circle.hide()
 	_plugin.update_overlays()
@@ -311,6 +363,8 @@ func _hide_circle() -> void:
 
 func _on_options_changed() -> void:
 	TransformGizmo.set_visible(options.tool == BrushOptions.Tool.NONE)
+	if not options.draws_path():
+		_path_tool.cancel()
 	if options.tool == BrushOptions.Tool.NONE and _circle:
 		end_stroke()
 		_hide_circle()

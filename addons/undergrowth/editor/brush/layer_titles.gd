@@ -2,7 +2,7 @@
 extends RefCounted
 ## Titles of a field's species for the map layers that they use: the same as in the dock.
 
-const SpeciesEntry := preload("../plant_page/species_entry.gd")
+const SpeciesEntry := preload("../browser/species_entry.gd")
 const Translations := preload("../translations/translations.gd")
 
 

@@ -7,6 +7,8 @@ const Translations := preload("../translations/translations.gd")
 ## Metres above the field at which the search begins. Without ground below, it begins at the highest
 ## point.
 const STARTS: Array[float] = [0.5, 1000.0]
+## Metadata, hidden in the inspector and saved with the scene.
+const KEPT_FLAT := &"_undergrowth_keep_flat"
 const LAID: Array[StringName] = [
 	&"ground_mode", &"ground_mesh", &"ground_object", &"ground_collision_mask"
 ]
@@ -30,6 +32,20 @@ static func place(undo: EditorUndoRedoManager, root: Node, field: PlantField3D) 
 	undo.commit_action()
 	laid.free()
 	return true
+
+
+## Returns true if [param field] is meant to be off the ground, such as plants at the level of a
+## lake.
+static func is_kept_flat(field: PlantField3D) -> bool:
+	return field.has_meta(KEPT_FLAT)
+
+
+## Sets whether [param field] is meant to be off the ground, as one step of undo.
+static func keep_flat(undo: EditorUndoRedoManager, field: PlantField3D, on: bool) -> void:
+	undo.create_action(Translations.text("Keep Flat"), UndoRedo.MERGE_DISABLE, field)
+	undo.add_do_method(field, &"set_meta", KEPT_FLAT, true if on else null)
+	undo.add_undo_method(field, &"set_meta", KEPT_FLAT, null if on else true)
+	undo.commit_action()
 
 
 ## Returns the ground below [param field], or above it, or null.

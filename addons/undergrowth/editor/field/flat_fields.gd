@@ -7,7 +7,8 @@ extends RefCounted
 
 const Ground := preload("../actions/ground.gd")
 const FieldPlacing := preload("field_placing.gd")
-const ScenePlants := preload("../wind_page/scene_plants.gd")
+const ScenePlants := preload("../wind/scene_plants.gd")
+const StepWatch := preload("step_watch.gd")
 const Translations := preload("../translations/translations.gd")
 ## Metres between plane and ground without a warning.
 const TOLERANCE := 0.2
@@ -16,7 +17,7 @@ const MAX_CORNERS := 8
 ## Frames until new colliders are found by rays.
 const PATIENCE := 2
 
-var _plugin: EditorPlugin
+var _steps := StepWatch.new()
 # Ids of the fields to check.
 var _waiting: Array[int] = []
 # Ids of the fields with a warning.
@@ -26,20 +27,12 @@ var _frames_left := 0
 
 ## Checks the fields of the edited scene after each step of undo.
 func setup(plugin: EditorPlugin) -> void:
-	_plugin = plugin
-	plugin.get_undo_redo().history_changed.connect(_check_soon)  # A step was added.
-	plugin.get_undo_redo().version_changed.connect(_check_soon)  # A step was undone or redone.
-	plugin.scene_changed.connect(_on_scene_changed)
-	_check_soon()
+	_steps.setup(plugin, _begin, _check_next)
 
 
 ## Removes all warnings.
 func close() -> void:
-	_plugin.get_undo_redo().history_changed.disconnect(_check_soon)
-	_plugin.get_undo_redo().version_changed.disconnect(_check_soon)
-	_plugin.scene_changed.disconnect(_on_scene_changed)
-	if _tree().process_frame.is_connected(_on_frame):
-		_tree().process_frame.disconnect(_on_frame)
+	_steps.close()
 	for id in _advised:
 		var field := instance_from_id(id) as PlantField3D
 		if field:
@@ -59,45 +52,41 @@ static func find_gap(root: Node, field: PlantField3D) -> float:
 	return gap
 
 
-func _on_scene_changed(_root: Node) -> void:
-	_check_soon()
-
-
-func _check_soon() -> void:
+func _begin() -> void:
 	_frames_left = PATIENCE
 	_waiting.clear()
 	for plant in ScenePlants.all(EditorInterface.get_edited_scene_root()):
 		if plant is PlantField3D:
 			_waiting.append(plant.get_instance_id())
-	if _waiting and not _tree().process_frame.is_connected(_on_frame):
-		_tree().process_frame.connect(_on_frame)
 
 
-func _on_frame() -> void:
-	if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
-		return  # Sliders of the inspector create steps while the user drags them.
+# Returns true after the last field.
+func _check_next() -> bool:
 	_frames_left -= 1
-	if _frames_left > 0:
-		return
+	if _frames_left > 0 and _waiting:
+		return false
 	var field: PlantField3D = null
 	while _waiting and not field:
 		field = instance_from_id(_waiting.pop_back()) as PlantField3D
 	if field and field.is_inside_tree():
 		_check(field)
-	if _waiting.is_empty():
-		_tree().process_frame.disconnect(_on_frame)
+	return _waiting.is_empty()
 
 
 func _check(field: PlantField3D) -> void:
 	var root := EditorInterface.get_edited_scene_root()
 	var gap := 0.0
-	if root and field.ground_mode == PlantField3D.GROUND_NONE:
+	var is_flat := field.ground_mode == PlantField3D.GROUND_NONE
+	if root and is_flat and not FieldPlacing.is_kept_flat(field):
 		gap = find_gap(root, field) if ScenePlants.is_saved_with(root, field) else 0.0
 	var id := field.get_instance_id()
 	if gap > TOLERANCE:
 		_advised[id] = true
-		var text := Translations.text(
-			"This flat field is up to %s m off the ground. Press Place on Ground in the toolbar."
+		var text := (
+			Translations
+			. text(
+				"This flat field is up to %s m off the ground. Press Place on Ground or Keep Flat above."
+			)
 		)
 		field.call(&"_advise", text % String.num(gap, 1))
 	elif _advised.erase(id):
@@ -121,7 +110,3 @@ static func _find_height(world: World3D, point: Vector3) -> float:
 		if not hit.is_empty():
 			return hit["position"].y
 	return INF
-
-
-func _tree() -> SceneTree:
-	return Engine.get_main_loop() as SceneTree

@@ -7,52 +7,29 @@ extends RefCounted
 ## shapes of a scene with such a field.
 
 const GroundShapes := preload("ground_shapes.gd")
+const StepWatch := preload("step_watch.gd")
 
-var _plugin: EditorPlugin
+var _steps := StepWatch.new()
 var _shapes := GroundShapes.new()
 # Solids of the last comparison, and the id of its scene. 0: no scene.
 var _seen: Dictionary[int, GroundShapes.Shape] = {}
 var _scene_id := 0
-var _waits := false
 
 
 ## Compares the edited scene after each step of undo.
 func setup(plugin: EditorPlugin) -> void:
-	_plugin = plugin
-	plugin.get_undo_redo().history_changed.connect(_check_soon)  # A step was added.
-	plugin.get_undo_redo().version_changed.connect(_check_soon)  # A step was undone or redone.
-	plugin.scene_changed.connect(_on_scene_changed)
-	_check_soon()
+	_steps.setup(plugin, func() -> void: pass, _check_once)
 
 
 func close() -> void:
-	_plugin.get_undo_redo().history_changed.disconnect(_check_soon)
-	_plugin.get_undo_redo().version_changed.disconnect(_check_soon)
-	_plugin.scene_changed.disconnect(_on_scene_changed)
-	if _waits:
-		_tree().process_frame.disconnect(_on_frame)
+	_steps.close()
 	_shapes.close()
 	_forget()
 
 
-func _on_scene_changed(_root: Node) -> void:
-	_forget()
-	_check_soon()
-
-
-func _check_soon() -> void:
-	if not _waits:
-		_waits = true
-		_tree().process_frame.connect(_on_frame)
-
-
-# Sliders of the inspector create steps while the user drags them.
-func _on_frame() -> void:
-	if Input.is_mouse_button_pressed(MOUSE_BUTTON_LEFT):
-		return
-	_waits = false
-	_tree().process_frame.disconnect(_on_frame)
+func _check_once() -> bool:
 	_check()
+	return true
 
 
 func _check() -> void:
@@ -132,7 +109,3 @@ func _pushes(node: Node, group: StringName) -> bool:
 			return true
 		above = above.get_parent()
 	return false
-
-
-func _tree() -> SceneTree:
-	return Engine.get_main_loop() as SceneTree

@@ -1,18 +1,23 @@
 @tool
 extends EditorInspectorPlugin
-## Adds a moving plant and the tree of its parts above a species' properties, and the force over
-## time above a wind's. Shows ranges as one control, and numbers below 0 as what they mean.
+## Adds a moving plant, the outline of its stem, and the tree of its parts above a species'
+## properties, the force over time above a wind's, and the kinds of area above a field's. Shows
+## ranges as one control, and numbers below 0 as what they mean.
 
-const PlantInspectorView := preload("plant_inspector_view.gd")
+const PlantPreview := preload("plant_preview.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")
-const HeightProperty := preload("height_property.gd")
+const HeightSlider := preload("../widgets/height_slider.gd")
 const RangeProperty := preload("range_property.gd")
+const AreaBar := preload("area_bar.gd")
 const WordedProperty := preload("worded_property.gd")
 const PartsEditor := preload("../parts/parts_editor.gd")
-const FirstDrawing := preload("../plant_page/first_drawing.gd")
+const ProfilePlot := preload("../widgets/profile_plot.gd")
+const Traits := preload("species_traits.gd")
+const FirstDrawing := preload("first_drawing.gd")
 const Translations := preload("../translations/translations.gd")
-const PLANT_VIEW := preload("plant_inspector_view.tscn")
+const PREVIEW := preload("plant_preview.tscn")
 const WIND_VIEW := preload("wind_inspector_view.tscn")
+const FIELD := "PlantField3D"
 const HEIGHT := "height"
 const PARTS := "arrangements"
 ## Classes with ranges or words.
@@ -20,6 +25,7 @@ const CLASSES: Array[StringName] = [
 	&"PlantFunction",
 	&"PlantWind",
 	&"Plant3D",
+	&"PlantField3D",
 	&"PlantArrangement",
 	&"PlantPart",
 	&"PlantStem",
@@ -47,13 +53,7 @@ func _can_handle(object: Object) -> bool:
 
 func _parse_begin(object: Object) -> void:
 	if object is PlantFunction:
-		var plant_view: PlantInspectorView = PLANT_VIEW.instantiate()
-		plant_view.function = object
-		add_custom_control(plant_view)
-		if _has_tree(object as PlantFunction):
-			var parts := PartsEditor.new()
-			parts.setup(object as PlantFunction)
-			add_custom_control(parts)
+		_add_species(object as PlantFunction)
 	elif object is PlantWind:
 		var wind_view: WindInspectorView = WIND_VIEW.instantiate()
 		wind_view.wind = object
@@ -61,6 +61,14 @@ func _parse_begin(object: Object) -> void:
 	var curves := object as CurvePlantFunction
 	if curves and FirstDrawing.is_missing(curves):
 		_offer_drawing(curves)
+
+
+# Above the folded groups.
+func _parse_category(object: Object, category: String) -> void:
+	if object is PlantField3D and category == FIELD:
+		var bar := AreaBar.new()
+		bar.setup(object as PlantField3D)
+		add_custom_control(bar)
 
 
 func _parse_property(
@@ -74,7 +82,7 @@ func _parse_property(
 ) -> bool:
 	if object is Plant3D:
 		if name == HEIGHT:
-			add_property_editor(name, HeightProperty.new())
+			_add_worded(name, HeightSlider.new())
 		return name == HEIGHT
 	if object is PlantFunction and name == PARTS:
 		return _has_tree(object as PlantFunction)
@@ -84,11 +92,30 @@ func _parse_property(
 		add_property_editor(name, pair)
 		return true
 	if type == TYPE_FLOAT and WORDS.has(name):
-		var worded := WordedProperty.new()
-		worded.setup(hint_string, Translations.text(WORDS[name]))
-		add_property_editor(name, worded)
+		_add_worded(name, WordedProperty.make_slider(hint_string, Translations.text(WORDS[name])))
 		return true
 	return false
+
+
+func _add_worded(name: String, slider: EditorSpinSlider) -> void:
+	var worded := WordedProperty.new()
+	worded.setup(slider)
+	add_property_editor(name, worded)
+
+
+func _add_species(function: PlantFunction) -> void:
+	var preview: PlantPreview = PREVIEW.instantiate()
+	preview.function = function
+	add_custom_control(preview)
+	if Traits.has_stem(function):
+		var plot := ProfilePlot.new()
+		plot.name = "Plot"
+		plot.setup(function, EditorInterface.get_editor_undo_redo())
+		add_custom_control(plot)
+	if _has_tree(function):
+		var parts := PartsEditor.new()
+		parts.setup(function)
+		add_custom_control(parts)
 
 
 # A simple stem without parts keeps the plain list.

@@ -15,11 +15,11 @@ const COUNT := 1
 const COLOR := 2
 const EYE := 3
 ## Widths in pixels at 100 %.
-const COUNT_WIDTH := 54
-const COLOR_WIDTH := 30
+const COUNT_WIDTH := 62
+const COLOR_WIDTH := 28
 const EYE_WIDTH := 26
+const INDENT := 10
 const SWATCH := Vector2(22, 12)
-const MAX_ROWS := 14
 const DIM := 0.45
 
 var _function: PlantFunction
@@ -38,6 +38,7 @@ func setup(function: PlantFunction, steps: PartSteps) -> void:
 	select_mode = SELECT_SINGLE
 	allow_reselect = true
 	scroll_horizontal_enabled = false
+	scroll_vertical_enabled = false  # The inspector around it scrolls.
 	var scale_factor := EditorInterface.get_editor_scale()
 	set_column_expand(COUNT, false)
 	set_column_expand(COLOR, false)
@@ -46,6 +47,7 @@ func setup(function: PlantFunction, steps: PartSteps) -> void:
 	set_column_custom_minimum_width(COLOR, int(COLOR_WIDTH * scale_factor))
 	set_column_custom_minimum_width(EYE, int(EYE_WIDTH * scale_factor))
 	set_column_clip_content(NAME, true)
+	add_theme_constant_override(&"item_margin", int(INDENT * scale_factor))
 	item_mouse_selected.connect(_on_mouse_selected)
 	cell_selected.connect(_on_cell_selected)
 	item_edited.connect(_on_item_edited)
@@ -105,7 +107,7 @@ func _update() -> void:
 	top.set_metadata(NAME, _function)
 	_add_rows(top, _function)
 	_select_chosen(top)
-	var rows := mini(_count_rows(top), MAX_ROWS)
+	var rows := _count_rows(top)
 	var row := get_item_area_rect(top).size.y + get_theme_constant(&"v_separation")
 	var margins := get_theme_stylebox(&"panel").get_minimum_size().y
 	custom_minimum_size.y = rows * row + margins

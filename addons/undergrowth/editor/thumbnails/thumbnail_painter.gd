@@ -5,7 +5,7 @@ extends RefCounted
 
 const MeshPainter := preload("mesh_painter.gd")
 const PlantGroup := preload("../widgets/plant_group.gd")
-const Traits := preload("../plant_page/species_traits.gd")
+const Traits := preload("../inspector/species_traits.gd")
 
 const PLANT_SEED := 1
 const RINGS := 48

@@ -2,7 +2,7 @@
 extends RefCounted
 ## The subject of a small picture: one plant of a species, or a group of plants of a mix.
 
-const Traits := preload("../plant_page/species_traits.gd")
+const Traits := preload("../inspector/species_traits.gd")
 const PLANT_SEED := 1
 const SEGMENTS := 16
 ## Segments of a plant in a group.

@@ -1,52 +1,47 @@
 @tool
 extends Control
 ## A species' outline and colour along its height. The plant is horizontal: root left, tip right.
-## The width curve of a CurvePlantFunction can be dragged. Other species are only plotted. Species
-## without a stem have no plot.
+## The width curve of a CurvePlantFunction can be dragged. Other species are only plotted.
 
 const EditorState := preload("../editor_state.gd")
 const ProfilePoints := preload("profile_points.gd")
-const Traits := preload("../plant_page/species_traits.gd")
+const Translations := preload("../translations/translations.gd")
 const SAMPLES := 64
 const MIN_HEIGHT := 56
 const MIN_HEIGHT_TO_EDIT := 100
 const MARGIN := 6.0
 
-var _state: EditorState
+var _function: PlantFunction
 var _widths: PackedFloat32Array = []
 var _colors: PackedColorArray = []
 # The base shape's radius in metres, and the width that fills the plot.
 var _radius := 0.0
 var _max_width := 0.0
+var _points: ProfilePoints
 
-@onready var _points: ProfilePoints = $Points
 
-
-## Plots the species of [param state]. Changes of its curve are steps of [param undo].
-func setup(state: EditorState, undo: EditorUndoRedoManager) -> void:
-	_state = state
+## Plots [param function]. Changes of its curve are steps of [param undo].
+func setup(function: PlantFunction, undo: EditorUndoRedoManager) -> void:
+	_function = function
+	set_translation_domain(Translations.DOMAIN)
+	_points = ProfilePoints.new()
+	_points.name = "Points"
+	add_child(_points)
 	_points.setup(undo)
-	_state.function_chosen.connect(_show_function)
-	_state.function_edited.connect(_sample)
+	function.changed.connect(_sample)
 	resized.connect(_place_points)
-	_show_function()
-
-
-func _show_function() -> void:
-	var curves := _state.function as CurvePlantFunction
+	var curves := function as CurvePlantFunction
 	var minimum := MIN_HEIGHT_TO_EDIT if curves else MIN_HEIGHT
 	custom_minimum_size.y = minimum * EditorInterface.get_editor_scale()
 	_points.edit(curves)
-	_place_points()
 	_sample()
 
 
 func _sample() -> void:
 	_widths.clear()
 	_colors.clear()
-	visible = _state.function != null and Traits.has_stem(_state.function)
-	if _state.function and _state.problem.is_empty():
-		_sample_function(_state.function)
+	if _function.find_problem(0.0, EditorState.NEAR_SEGMENTS, EditorState.FIRST_SEED).is_empty():
+		_sample_function(_function)
 	_points.queue_redraw()
 	queue_redraw()
 

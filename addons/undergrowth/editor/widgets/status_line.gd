@@ -1,6 +1,6 @@
 @tool
 extends HBoxContainer
-## Three small lines for messages, and for the progress of long work with a cancel button.
+## Small lines for messages, and for the progress of long work with a cancel button.
 
 const EditorState := preload("../editor_state.gd")
 const ICONS: Dictionary[int, StringName] = {
@@ -17,6 +17,9 @@ const COLORS: Dictionary[int, StringName] = {
 ## As a factor of the editor's font size.
 const SMALL_FONT := 0.85
 
+## Number of lines. A longer message is in the tooltip.
+@export var lines := 1
+
 var _state: EditorState
 var _severity := EditorState.Severity.INFO
 
@@ -30,6 +33,7 @@ var _severity := EditorState.Severity.INFO
 ## Shows the messages and the progress of [param state].
 func setup(state: EditorState) -> void:
 	_state = state
+	_text.max_lines_visible = lines
 	_state.reported.connect(show_message)
 	_state.work_changed.connect(_on_work_changed)
 	_cancel.pressed.connect(_on_cancel_pressed)
