@@ -107,8 +107,8 @@ TEST_CASE("a trodden plant comes to rest at its lasting bend, which falls to 37 
 		const glm::vec2 left = field.lasting_bend(0, 0);
 		CHECK(left.x == doctest::Approx(0.5 * std::exp(-1.0)).epsilon(1e-3));
 		CHECK(left.y == doctest::Approx(-0.2 * std::exp(-1.0)).epsilon(1e-3));
-		figures::record(figures::SWINGS, "bend of a trodden plant after its recovery time, of that before", std::exp(-1.0),
-				static_cast<double>(glm::length(tip_of(field))) / std::hypot(0.5, 0.2), 3);
+		figures::record(figures::SWINGS, "bend of a trodden plant after its recovery time, of that before",
+				std::exp(-1.0), static_cast<double>(glm::length(tip_of(field))) / std::hypot(0.5, 0.2), 3);
 		CHECK(glm::length(tip_of(field) - left) < CALM_TOLERANCE);
 		CHECK(glm::length(field.rest(0, 0) - plant.rest) < 1e-3f);
 		run(field, 8.0 * static_cast<double>(RECOVERY));
