@@ -294,7 +294,6 @@ bool FieldRuntime::adopt(FieldBuild &finished) {
 	edit.spacing = result.spacing;
 	edit.species_numbers = finished.species_numbers();
 	ChangeSet changes = store.apply(std::move(edit));
-	trampling.leave(changes, setup, motion);
 	finished.add_garbage(motion.adopt(*result.motion, result.matches, changes, store, setup));
 	finished.add_garbage(std::make_shared<decltype(changes.left)>(std::move(changes.left)));
 	motion.set_update_interval(properties.update_interval);

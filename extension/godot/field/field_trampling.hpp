@@ -8,12 +8,12 @@
 namespace undergrowth {
 
 /// The trodden plants of a field. The motion contains the lasting bends of existing plants; this class keeps those of
-/// plants whose tile is not loaded, carries them over rebuilds, and collects all for saving. Main thread.
+/// plants whose tile is not loaded, carries them over edits of tiles, and collects all for saving. Main thread.
 class FieldTrampling {
 public:
 	/// Lets absent plants recover for `seconds` of simulated time.
 	void advance(double seconds) { absent.advance(seconds); }
-	/// Keeps the bends of chunks that an edit or a build drops. Call after the store's apply() and before the motion's.
+	/// Keeps the bends of chunks that an edit drops. Call after the store's apply() and before the motion's.
 	void leave(const ChangeSet &changes, const FieldRenderSetup &setup, FieldMotion &motion);
 	/// Restores the bends of plants that it created.
 	void arrive(const ChangeSet &changes, const PlantStore &store, FieldMotion &motion);
