@@ -286,20 +286,13 @@ void FieldSimulation::begin_pages() {
 		if (blowing.wind.kind == WindKind::air) {
 			at(page).page.make_room_ahead();
 		}
-		make_room_for_lasting_bends(at(page).page);
+		make_room_for_lasting_bends(at(page).page, pushing);
 		Beat &own = beat(page);
 		rates_changed += own.interval != page_interval(page) ? 1 : 0;
 		own.interval = page_interval(page);
 		own.last_step = next_step;
 		set_due(page);
 		stepping.push_back(page);
-	}
-}
-
-void FieldSimulation::make_room_for_lasting_bends(MotionPage &page) const {
-	if (page.trampling().share > 0.0f || page.trampling().yield > 0.0f) {
-		page.make_room_for_lasting_bends(std::any_of(
-				pushing.begin(), pushing.end(), [&page](const MovingBody &body) { return boxes_overlap(page, body); }));
 	}
 }
 

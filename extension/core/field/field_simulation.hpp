@@ -261,7 +261,6 @@ private:
 	/// In the next step.
 	bool is_due(int page) const { return due_at[static_cast<std::size_t>(page)] == next_step; }
 	void begin_pages();
-	void make_room_for_lasting_bends(MotionPage &page) const;
 	void step_page(int page);
 	int64_t steps_in(float seconds) const { return static_cast<int64_t>(seconds / options.step); }
 	void choose_modes(int page);

@@ -29,7 +29,7 @@ void TroddenPlants::remove_recovered() {
 	for (auto plant = plants.begin(); plant != plants.end();) {
 		plant = present(plant->second) == glm::vec2(0.0f) ? plants.erase(plant) : std::next(plant);
 	}
-	next_check = std::max<std::size_t>(2 * plants.size(), 1024);
+	next_check = std::max(2 * plants.size(), MIN_CHECK);
 }
 
 glm::vec2 TroddenPlants::take(PlantId id) {

@@ -30,9 +30,11 @@ private:
 		double since; ///< s.
 	};
 
+	static constexpr std::size_t MIN_CHECK = 1024; ///< Plants.
+
 	std::map<PlantId, Trodden> plants;
 	double now = 0.0; ///< s.
-	std::size_t next_check = 1024; ///< Number of plants at which recovered ones are removed.
+	std::size_t next_check = MIN_CHECK; ///< Number of plants at which recovered ones are removed.
 
 	glm::vec2 present(const Trodden &plant) const;
 	void remove_recovered();

@@ -428,6 +428,12 @@ bool touches_plants(const MotionPage &page, const MovingBody &body, float margin
 	return touches;
 }
 
+void make_room_for_lasting_bends(MotionPage &page, const std::vector<MovingBody> &bodies) {
+	page.make_room_for_lasting_bends(page.trampling().share > 0.0f &&
+			std::any_of(bodies.begin(), bodies.end(),
+					[&page](const MovingBody &body) { return boxes_overlap(page, body); }));
+}
+
 /// Pushes the stems of a page.
 static int push_stems(MotionPage &page, const MovingBody &body, const PageFrame &frame) {
 	const float thickness = std::max(page.collision_radius(), 0.0f);

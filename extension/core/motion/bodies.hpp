@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace undergrowth {
 
@@ -65,6 +66,10 @@ template <class Visit> void for_each_in_reach(const MotionPage &page, const Movi
 /// the smaller of the body's velocity and its velocity relative to the root counts. Returns the number of touched
 /// plants.
 int push_plants(MotionPage &page, const MovingBody &body, const PageFrame &frame = {});
+
+/// Makes room on a page for the lasting bends that these bodies leave in the next step (MotionPage), if their species
+/// has Trampling. Call it before the step: pushes allocate nothing.
+void make_room_for_lasting_bends(MotionPage &page, const std::vector<MovingBody> &bodies);
 
 /// True if a plant of the page is within `margin` (m) of a valid body, its tip thickened by the collision radius.
 /// Checks points along its straight stem, a quarter of its length apart.

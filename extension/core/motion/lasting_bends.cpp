@@ -33,28 +33,17 @@ void LastingBends::resize(int rows) {
 	if (bends.empty()) {
 		return;
 	}
-	for (int row = rows; row < static_cast<int>(bends.size()); row++) {
-		set(row, { 0.0f, 0.0f });
-	}
 	bends.resize(static_cast<std::size_t>(rows));
 	blocks.resize(static_cast<std::size_t>((rows + BLOCK - 1) / BLOCK));
 	used = static_cast<int>(std::count(blocks.begin(), blocks.end(), uint8_t(1)));
-}
-
-void LastingBends::free_unused() {
-	if (used == 0) {
-		bends = {};
-		blocks = {};
-	}
 }
 
 bool LastingBends::is_any(int begin, int count) const {
 	if (used == 0) {
 		return false;
 	}
-	const auto first = blocks.begin() + begin / BLOCK;
-	return std::find(first, blocks.begin() + (begin + count + BLOCK - 1) / BLOCK, uint8_t(1)) !=
-			blocks.begin() + (begin + count + BLOCK - 1) / BLOCK;
+	const auto end = blocks.begin() + (begin + count + BLOCK - 1) / BLOCK;
+	return std::find(blocks.begin() + begin / BLOCK, end, uint8_t(1)) != end;
 }
 
 void LastingBends::use_block(int block, bool is_used) {

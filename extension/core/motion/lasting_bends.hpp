@@ -36,8 +36,6 @@ public:
 	/// Follows a page that has `rows` plants now. Does nothing without room.
 	void resize(int rows);
 	bool has_room() const { return !bends.empty(); }
-	/// Frees the room if all bends are 0.
-	void free_unused();
 	/// True if a bend within rows [begin, begin + count) may differ from 0. `begin`: a multiple of BLOCK.
 	bool is_any(int begin, int count) const;
 	bool is_any() const { return used > 0; }

@@ -144,7 +144,7 @@ void MotionPage::settle(int index) {
 }
 
 void MotionPage::settle() {
-	lasting = LastingBends();
+	forget_lasting_bends();
 	for (int i = 0; i < size(); i++) {
 		settle(i);
 	}
@@ -630,13 +630,12 @@ void MotionPage::let_last(int index, const glm::vec2 &bend, float share) {
 	}
 }
 
-void MotionPage::make_room_for_lasting_bends(bool is_pushed) {
-	const bool may_last = has_yielded || (is_pushed && kind.trampling.share > 0.0f);
-	has_yielded = false;
+void MotionPage::make_room_for_lasting_bends(bool is_trodden) {
+	const bool may_last = std::exchange(has_yielded, false) || is_trodden;
 	if (may_last && is_swinging && kind.law == Law::stem) {
 		lasting.make_room(size());
 	} else if (lasting.has_room() && !lasting.is_any()) {
-		lasting = LastingBends();
+		forget_lasting_bends();
 	}
 }
 

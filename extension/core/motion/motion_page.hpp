@@ -167,9 +167,10 @@ public:
 	/// Moves a lasting bend by `share` of the way to `bend`, if that is longer.
 	void let_last(int index, const glm::vec2 &bend, float share);
 	bool has_lasting_bends() const { return lasting.is_any(); }
-	/// Makes room for the lasting bends that plants may get in the next steps, if bodies push them (`is_pushed`) or if
-	/// the last step bent one beyond Trampling::yield. Frees unused room.
-	void make_room_for_lasting_bends(bool is_pushed);
+	void forget_lasting_bends() { lasting = LastingBends(); }
+	/// Makes room for the lasting bends that plants may get in the next steps, if bodies tread them (`is_trodden`) or
+	/// if the last step bent one beyond Trampling::yield. Frees unused room.
+	void make_room_for_lasting_bends(bool is_trodden);
 	const Trampling &trampling() const { return kind.trampling; }
 	/// Stem law: moves a tip by `way` (m) and changes its velocity by `faster` (m/s), as far as they are across the
 	/// stem.

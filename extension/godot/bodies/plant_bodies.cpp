@@ -63,10 +63,8 @@ void PlantBodies::push() {
 	for (Reading &reading : readings) {
 		for (PlantGroup *group : reading.groups) {
 			const PageFrame frame = { group->turned_axes(), group->roots.velocities() };
-			const std::vector<MovingBody> &shapes = *reading.shapes;
-			group->page.make_room_for_lasting_bends(std::any_of(shapes.begin(), shapes.end(),
-					[group](const MovingBody &shape) { return boxes_overlap(group->page, shape); }));
-			for (const MovingBody &shape : shapes) {
+			make_room_for_lasting_bends(group->page, *reading.shapes);
+			for (const MovingBody &shape : *reading.shapes) {
 				push_plants(group->page, shape, frame);
 			}
 		}

@@ -4,17 +4,13 @@
 
 namespace undergrowth {
 
-static float recovery_of(const FieldRenderSetup &setup, int species) {
-	return size_t(species) < setup.styles.size() ? setup.styles[size_t(species)].motion.trampling.recovery
-												 : Trampling().recovery;
-}
-
 void FieldTrampling::keep_chunk(
 		int number, const PlantChunk &chunk, const FieldRenderSetup &setup, FieldMotion &motion, TroddenPlants &to) {
 	const std::vector<glm::vec2> bends = motion.blocking_read_lasting_bends(number);
 	for (int slot = 0; slot < std::min(int(bends.size()), chunk.size()); slot++) {
 		if (bends[size_t(slot)] != glm::vec2(0.0f) && !chunk.is_gone(slot)) {
-			to.put(chunk.id(slot), bends[size_t(slot)], recovery_of(setup, chunk.species));
+			const Trampling &trampling = setup.styles[size_t(chunk.species)].motion.trampling;
+			to.put(chunk.id(slot), bends[size_t(slot)], trampling.recovery);
 		}
 	}
 }
@@ -52,19 +48,18 @@ std::vector<TroddenPlant> FieldTrampling::all(
 
 void FieldTrampling::replace(const std::vector<TroddenPlant> &trodden, const PlantStore &store,
 		const FieldRenderSetup &setup, FieldMotion &motion) {
-	float slowest = Trampling().recovery;
-	for (size_t i = 0; i < setup.styles.size(); i++) {
-		const float recovery = recovery_of(setup, int(i));
-		slowest = i == 0 ? recovery : std::max(slowest, recovery);
+	float slowest = setup.styles.empty() ? Trampling().recovery : 0.0f;
+	for (const SpeciesStyle &style : setup.styles) {
+		slowest = std::max(slowest, style.motion.trampling.recovery);
 	}
 	absent = TroddenPlants();
 	for (const TroddenPlant &plant : trodden) {
 		absent.put(plant.id, plant.bend, slowest);
 	}
+	if (motion.is_ready()) {
+		motion.forget_lasting_bends();
+	}
 	for (int number = 0; motion.is_ready() && number < store.chunk_count(); number++) {
-		for (int slot = 0; slot < int(motion.blocking_read_lasting_bends(number).size()); slot++) {
-			motion.set_lasting_bend({ number, slot }, { 0.0f, 0.0f });
-		}
 		restore(number, 0, store, motion);
 	}
 }

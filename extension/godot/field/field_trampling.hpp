@@ -15,7 +15,7 @@ public:
 	void advance(double seconds) { absent.advance(seconds); }
 	/// Keeps the bends of chunks that an edit drops. Call after the store's apply() and before the motion's.
 	void leave(const ChangeSet &changes, const FieldRenderSetup &setup, FieldMotion &motion);
-	/// Restores the bends of plants that it created.
+	/// Restores the bends of plants that an edit or a build created.
 	void arrive(const ChangeSet &changes, const PlantStore &store, FieldMotion &motion);
 	/// Lets all absent plants recover at once.
 	void forget_absent() { absent = TroddenPlants(); }

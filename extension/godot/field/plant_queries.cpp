@@ -381,13 +381,15 @@ PackedInt64Array PlantQueries::ids_of(const std::vector<PlantRef> &places) const
 	return ids;
 }
 
+static Vector3 root_in_world(const PlantStore &store, const Transform3D &placed, const PlantRef &place) {
+	return placed.xform(to_godot(store.chunk(place.chunk).root(place.slot)));
+}
+
 // Removes plants from the list if `is_beside` returns true for their root in the world.
 template <class IsBeside>
 static void remove_beside(
 		const PlantStore &store, const Transform3D &placed, std::vector<PlantRef> &found, const IsBeside &is_beside) {
-	const auto goes = [&](const PlantRef &place) {
-		return is_beside(placed.xform(to_godot(store.chunk(place.chunk).root(place.slot))));
-	};
+	const auto goes = [&](const PlantRef &place) { return is_beside(root_in_world(store, placed, place)); };
 	found.erase(std::remove_if(found.begin(), found.end(), goes), found.end());
 }
 
@@ -588,7 +590,7 @@ int PlantQueries::apply_blast(const Vector3 &center, double radius, double impul
 	const Transform3D placed = places.empty() ? Transform3D() : axes_of(node);
 	const Basis to_field = placed.basis.inverse();
 	for (const PlantRef &place : places) {
-		const Vector3 way = placed.xform(to_godot(runtime.store.chunk(place.chunk).root(place.slot))) - center;
+		const Vector3 way = root_in_world(runtime.store, placed, place) - center;
 		const Vector3 aside = Vector3(way.x, 0.0f, way.z).normalized();
 		const double share = 1.0 - double(way.length()) / radius;
 		runtime.motion.apply_impulse(place, to_glm(to_field.xform(aside * float(impulse * share))));
@@ -608,7 +610,7 @@ int PlantQueries::trample_in_sphere(const Vector3 &center, double radius, double
 	const Basis to_field = placed.basis.inverse();
 	int trodden = 0;
 	for (const PlantRef &place : places) {
-		const Vector3 way = placed.xform(to_godot(runtime.store.chunk(place.chunk).root(place.slot))) - center;
+		const Vector3 way = root_in_world(runtime.store, placed, place) - center;
 		const Vector3 level = Vector3(way.x, 0.0f, way.z);
 		const Vector3 aside = level.is_zero_approx() ? Vector3(1.0f, 0.0f, 0.0f) : level.normalized();
 		const Vector3 tip = aside * float(std::sin(angle)) + Vector3(0.0f, float(std::cos(angle)), 0.0f);

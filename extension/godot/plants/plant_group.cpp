@@ -68,7 +68,6 @@ void PlantGroup::step(const FieldWind &blowing, double start, const std::vector<
 		const float speed = air_speed_at(in_world, along, kind.species, kind.taller, page.length(0), page.root(0));
 		air.step(speed, double(page.step_length()));
 	}
-	page.make_room_for_lasting_bends(false);
 	page.step(now, { nullptr, way.x, way.z, side.x, side.z });
 }
 

@@ -336,6 +336,13 @@ void FieldMotion::set_lasting_bend(const PlantRef &ref, const glm::vec2 &bend) {
 	simulation->set_lasting_bend(rows_of(ref.chunk).page, row_of(ref), bend);
 }
 
+void FieldMotion::forget_lasting_bends() {
+	wait();
+	for (int page = 0; page < simulation->page_count(); page++) {
+		simulation->page(page).forget_lasting_bends();
+	}
+}
+
 bool FieldMotion::trample(const PlantRef &ref, const glm::vec3 &direction) {
 	wait();
 	MotionPage &page = simulation->page(rows_of(ref.chunk).page);

@@ -148,6 +148,7 @@ public:
 	/// Lasting bends of a chunk's plants, by slot. Empty if it has none.
 	std::vector<glm::vec2> blocking_read_lasting_bends(int chunk);
 	void set_lasting_bend(const PlantRef &ref, const glm::vec2 &bend);
+	void forget_lasting_bends();
 	/// Lets the bend of a plant last whose tip points along `direction` (unit, field axes); upright: none. Returns
 	/// false for laws without lasting bends and for followers.
 	bool trample(const PlantRef &ref, const glm::vec3 &direction);
