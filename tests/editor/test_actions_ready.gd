@@ -115,7 +115,10 @@ func test_the_tile_of_a_mix_says_what_grows_in_it() -> void:
 	await _open_garden()
 	await _choose("Reed Bed")
 	check(_state().mix != null and not _state().function, "a mix is chosen, no species")
-	var text := tiles().get_item_tooltip(find_tile("Reed Bed"))
+	var tooltip := func() -> String: return tiles().get_item_tooltip(find_tile("Reed Bed"))
+	var has_picture := func() -> bool: return tooltip.call().contains("\n")
+	check(await until(has_picture), "the picture of the mix is taken")
+	var text: String = tooltip.call()
 	check(text.contains("Cattail · "), "its tooltip: " + text)
 	for button: String in ["Add", "Assign", "Save", "Bake"]:
 		check((part("Browser/Actions/" + button) as Button).disabled, button + " is off")

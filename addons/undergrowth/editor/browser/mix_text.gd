@@ -6,19 +6,24 @@ const SpeciesEntry := preload("species_entry.gd")
 const Translations := preload("../translations/translations.gd")
 
 
-## Returns one line per species of [param mix], with its share of all plants. Null: an empty text.
-static func describe(mix: PackedScene) -> String:
-	var field := mix.instantiate() as PlantField3D if mix else null
-	if not field:
-		return ""
+## Returns the titles of the species of [param field], and the percentage of each.
+static func find_shares(field: PlantField3D) -> Array[Array]:
 	var sum := 0.0
 	for listed in field.species:
 		sum += listed.weight * listed.density_factor
-	var lines: PackedStringArray = []
+	var shares: Array[Array] = []
 	for listed in field.species:
 		var percent := 100.0 * listed.weight * listed.density_factor / sum
-		var title := SpeciesEntry.title_of(listed.species)
+		shares.append([SpeciesEntry.title_of(listed.species), percent])
+	return shares
+
+
+## Returns one line per species of [param shares], as returned by [method find_shares].
+static func describe(shares: Array[Array]) -> String:
+	var lines: PackedStringArray = []
+	for share in shares:
+		var title: String = share[0]
+		var percent: float = share[1]
 		var number := String.num(percent, 0 if percent >= 1.0 else 1)
 		lines.append("%s · %s %%" % [Translations.text(title), number])
-	field.free()
 	return "\n".join(lines)

@@ -37,8 +37,8 @@ const MANY := 48
 
 var _thumbnails: Dictionary[String, Texture2D] = {}
 var _stamps: Dictionary[String, int] = {}
-# Descriptions of mixes, by their keys.
-var _mix_texts: Dictionary[String, String] = {}
+# Species of mixes and their percentages (MixText), by the keys of the mixes.
+var _mix_shares: Dictionary[String, Array] = {}
 var _chosen_key := ""
 var _state: EditorState
 # Title of this work in the status line while it is shown.
@@ -110,7 +110,6 @@ func _notification(what: int) -> void:
 	if what == NOTIFICATION_THEME_CHANGED and is_node_ready():
 		_apply_theme()
 	elif what == NOTIFICATION_TRANSLATION_CHANGED and _state:
-		_mix_texts.clear()
 		_fill()
 
 
@@ -189,11 +188,14 @@ func _add_tile(entry: SpeciesEntry) -> void:
 		return
 	var index := _tiles.add_item("", _picture_of(entry))
 	_tiles.set_item_metadata(index, entry)
-	_tiles.set_item_tooltip(index, entry.key)
-	if entry.kind == SpeciesEntry.Kind.MIX:
-		if not _mix_texts.has(entry.key):
-			_mix_texts[entry.key] = MixText.describe(entry.load_mix())
-		_tiles.set_item_tooltip(index, "%s\n%s" % [entry.key, _mix_texts[entry.key]])
+	_show_tooltip(index)
+
+
+func _show_tooltip(index: int) -> void:
+	var text := _entry_at(index).key
+	if _mix_shares.has(text):
+		text += "\n" + MixText.describe(_mix_shares[text])
+	_tiles.set_item_tooltip(index, text)
 
 
 # Also finds its English title, which is the name of its file.
@@ -208,7 +210,6 @@ func _picture_of(entry: SpeciesEntry) -> Texture2D:
 
 
 func _on_catalog_changed() -> void:
-	_mix_texts.clear()
 	_fill()
 	var wanted := 0
 	for entry: SpeciesEntry in _entries():
@@ -216,12 +217,20 @@ func _on_catalog_changed() -> void:
 			_stamps[entry.key] = entry.stamp
 			# A bound method would not reference the entry, which is freed at the next search of the
 			# files.
-			_photo.request(entry.key, func() -> Object: return entry.make_sitter())
+			_photo.request(entry.key, func() -> Object: return _make_sitter(entry))
 			wanted += 1
 	if wanted >= MANY and _state.work_total == 0:
 		_work_title = tr("Taking pictures of %d species") % wanted
 		_state.begin_work(_work_title, wanted)
 	refreshed.emit()
+
+
+# The field of a mix is made for its picture alone, and describes the mix as well.
+func _make_sitter(entry: SpeciesEntry) -> Object:
+	var sitter := entry.make_sitter()
+	if sitter is PlantField3D:
+		_mix_shares[entry.key] = MixText.find_shares(sitter as PlantField3D)
+	return sitter
 
 
 func _shows_work() -> bool:
@@ -239,6 +248,7 @@ func _on_photo_taken(key: String, picture: Texture2D) -> void:
 	for i in _tiles.item_count:
 		if _entry_at(i).key == key:
 			_tiles.set_item_icon(i, _thumbnails[key])
+			_show_tooltip(i)
 	if _shows_work():
 		_state.advance_work()
 		if _state.work_done >= _state.work_total:
