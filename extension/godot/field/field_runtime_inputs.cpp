@@ -194,7 +194,7 @@ bool FieldRuntime::update_levels() {
 				return false;
 			}
 		}
-		are_same = are_same && own == setup.styles[i].levels;
+		are_same = are_same && own == setup.styles[i].levels && fitted.styles[i].casters == setup.styles[i].casters;
 	}
 	if (are_same) {
 		return true;
@@ -204,8 +204,7 @@ bool FieldRuntime::update_levels() {
 	for (size_t i = 0; i < setup.styles.size(); i++) {
 		setup.styles[i].levels = std::move(fitted.styles[i].levels);
 		setup.styles[i].density = fitted.styles[i].density;
-		setup.styles[i].near_shadow_level = fitted.styles[i].near_shadow_level;
-		setup.styles[i].near_shadow_end = fitted.styles[i].near_shadow_end;
+		setup.styles[i].casters = fitted.styles[i].casters;
 	}
 	view.update_levels(setup);
 	skeletons.apply_flags(near_flags());

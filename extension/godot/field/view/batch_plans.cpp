@@ -17,9 +17,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int TRANSFORM_FLOATS = 12; // 3x4, by rows.
-static constexpr int COLOR_FLOATS = 4;
-static constexpr int CUSTOM_FLOATS = 4;
+static constexpr int COLOR_FLOATS = FieldRenderSetup::FLOATS_WITH_COLORS - FieldRenderSetup::FLOATS;
 
 // Cost of a draw in vertices: drawing this many invisible vertices costs as much as one more draw.
 static constexpr float VERTICES_OF_DRAW = 3000.0f;
@@ -129,9 +127,8 @@ struct Division {
 static void divide_chunk(const FieldRenderSetup &setup, const DrawnChunk &drawn, const Squares &squares, int level,
 		const DrawnPlant *begin, const DrawnPlant *end, Division &division) {
 	const int species = drawn.chunk->species;
-	const SpeciesStyle &style = setup.styles[size_t(species)];
-	const bool is_near = style.levels[size_t(level)].is_near;
-	const int groups = is_near ? 1 : int(style.meshes[size_t(level)].size()); // One square contains all variants.
+	// One square contains all variants.
+	const int groups = level == SQUARES ? 1 : int(setup.styles[size_t(species)].meshes[size_t(level)].size());
 	// Few, so that the map is searched once for each.
 	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1);
 	for (const DrawnPlant *plant = begin; plant < end; plant++) {
@@ -148,30 +145,31 @@ static void divide_chunk(const FieldRenderSetup &setup, const DrawnChunk &drawn,
 	}
 }
 
-// True if a species has plans at a level. All levels that are drawn plant by plant share the plans of the first one.
+// True if a species has plans: squares of single plants at SQUARES, multimeshes at the levels.
 static bool is_planned(const SpeciesStyle &style, int level) {
-	const auto end = style.levels.begin() + level;
-	return style.levels[size_t(level)].is_used &&
-			!(style.levels[size_t(level)].is_near &&
-					std::any_of(style.levels.begin(), end, [](const FieldLevel &one) { return one.is_near; }));
+	if (level == SQUARES) {
+		return !style.errors.empty();
+	}
+	return style.levels[size_t(level)].is_used && !style.levels[size_t(level)].is_near;
 }
 
 static Division divide(
 		const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks, const RankedPlants &ranked, int level) {
-	const FieldLevel &usual = setup.levels[size_t(level)];
-	const std::vector<Squares> squares = all_squares(setup, level, chunks, ranked.width);
+	const bool is_of_squares = level == SQUARES;
+	const std::vector<Squares> squares =
+			is_of_squares ? std::vector<Squares>(setup.styles.size()) : all_squares(setup, level, chunks, ranked.width);
+	const Squares of_added = is_of_squares
+			? Squares()
+			: Squares{ setup.levels[size_t(level)].tile_factor, setup.levels[size_t(level)].tile_cuts };
 	Division division;
 	division.of_plants.reserve(ranked.plants.size());
 	for (size_t i = 0; i < chunks.size(); i++) {
 		const PlantChunk &chunk = *chunks[i].chunk;
-		const SpeciesStyle &style = setup.styles[size_t(chunk.species)];
-		if (!is_planned(style, level)) {
+		if (!is_planned(setup.styles[size_t(chunk.species)], level)) {
 			division.of_plants.insert(division.of_plants.end(), size_t(ranked.begins[i + 1] - ranked.begins[i]), -1);
 			continue;
 		}
-		const bool is_near = style.levels[size_t(level)].is_near;
-		const Squares in_list = is_near ? Squares() : Squares{ usual.tile_factor, usual.tile_cuts };
-		const Squares own = chunk.is_added ? in_list : squares[size_t(chunk.species)];
+		const Squares own = chunk.is_added ? of_added : squares[size_t(chunk.species)];
 		const DrawnPlant *plants = ranked.plants.data();
 		divide_chunk(setup, chunks[i], own, level, plants + ranked.begins[i], plants + ranked.begins[i + 1], division);
 	}
@@ -180,7 +178,7 @@ static Division divide(
 
 // Writes a plant to a plan's buffer and returns the position after it.
 static float *write_plant(const FieldRenderSetup &setup, const DrawnPlant &plant, float mesh_height, float *to) {
-	const float transform[TRANSFORM_FLOATS] = { plant.cosine, 0.0f, plant.sine, plant.root.x, //
+	const float transform[] = { plant.cosine, 0.0f, plant.sine, plant.root.x, //
 		0.0f, plant.scale, 0.0f, plant.root.y, //
 		-plant.sine, 0.0f, plant.cosine, plant.root.z };
 	to = std::copy(std::begin(transform), std::end(transform), to);
@@ -193,22 +191,25 @@ static float *write_plant(const FieldRenderSetup &setup, const DrawnPlant &plant
 	return to;
 }
 
-// Writes the plants of a plan by cells.
+// Writes the plants of a plan by cells. Each cell's plants stay in the order of rank.
 static void fill_square(const FieldRenderSetup &setup, const RankedPlants &ranked, const int *order, BatchPlan &plan) {
 	constexpr float FAR = std::numeric_limits<float>::max();
 	const SpeciesStyle &style = setup.styles[size_t(plan.species)];
 	auto square = std::make_shared<NearSquare>();
-	glm::vec2 low(FAR), high(-FAR);
+	glm::vec3 lowest(FAR), highest(-FAR);
 	for (int i = 0; i < plan.count; i++) {
 		const glm::vec3 &root = ranked.plants[size_t(order[i])].root;
-		low = glm::min(low, glm::vec2(root.x, root.z));
-		high = glm::max(high, glm::vec2(root.x, root.z));
+		lowest = glm::min(lowest, root);
+		highest = glm::max(highest, root);
 		square->reach = std::max(square->reach, ranked.plants[size_t(order[i])].reach);
 	}
+	const glm::vec2 low(lowest.x, lowest.z), high(highest.x, highest.z);
 	const auto cells = [](float metres) { return int(metres / NearSquare::CELL_SIZE) + 1; };
 	square->species = plan.species;
-	square->stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (setup.needs_colors ? COLOR_FLOATS : 0);
+	square->stride = setup.instance_floats();
 	square->low = low;
+	square->lowest = lowest.y;
+	square->highest = highest.y;
 	square->columns = cells(high.x - low.x);
 	square->rows = cells(high.y - low.y);
 	const auto cell_of = [&](int number) {
@@ -237,7 +238,7 @@ static void fill_plan(const FieldRenderSetup &setup, const RankedPlants &ranked,
 	constexpr float FAR = std::numeric_limits<float>::max();
 	const float mesh_height = setup.styles[size_t(plan.species)].variants[size_t(plan.group)].height;
 	glm::vec3 low(FAR), high(-FAR), lowest(FAR), highest(-FAR);
-	plan.stride = TRANSFORM_FLOATS + CUSTOM_FLOATS + (setup.needs_colors ? COLOR_FLOATS : 0);
+	plan.stride = setup.instance_floats();
 	plan.buffer.resize(int64_t(plan.count) * plan.stride);
 	float *to = plan.buffer.ptrw();
 	for (int i = 0; i < plan.count; i++) {
@@ -276,8 +277,7 @@ static void plan_level(const FieldRenderSetup &setup, const std::vector<DrawnChu
 		BatchPlan &plan = plans.back();
 		std::tie(plan.place, plan.species, plan.group) = key;
 		plan.count = division.counts[size_t(number)];
-		const bool is_near = setup.styles[size_t(plan.species)].levels[size_t(level)].is_near;
-		(is_near ? fill_square : fill_plan)(setup, ranked, order.data() + begins[size_t(number)], plan);
+		(level == SQUARES ? fill_square : fill_plan)(setup, ranked, order.data() + begins[size_t(number)], plan);
 	}
 }
 
@@ -293,7 +293,7 @@ std::vector<BatchPlan> plan_batches(const FieldRenderSetup &setup, const std::ve
 	std::vector<BatchPlan> plans;
 	RankedPlants ranked = rank_plants(setup, chunks);
 	ranked.width = width_of(chunks, ranked);
-	for (int level = 0; level < int(setup.levels.size()); level++) {
+	for (int level = SQUARES; level < int(setup.levels.size()); level++) {
 		plan_level(setup, chunks, ranked, level, plans);
 	}
 	return plans;

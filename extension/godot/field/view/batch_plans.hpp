@@ -2,7 +2,7 @@
 
 #include "field/motion/pose_texels.hpp"
 #include "field/view/field_render_setup.hpp"
-#include "field/view/near_plants.hpp"
+#include "field/view/near_square.hpp"
 #include "placement/chunks.hpp"
 
 #include <godot_cpp/variant/packed_float32_array.hpp>
@@ -14,12 +14,15 @@
 
 namespace undergrowth {
 
+/// In place of a level: squares of single plants, from which NearPlants and ShadowPlants draw.
+constexpr int SQUARES = -1;
+
 /// A square of the ground at one level of detail: one or more tiles wide, or a part of a tile. Plants that code added
 /// have their own multimeshes, and so has each chunk of new plants. So the multimeshes of generated plants do not
 /// change.
 struct BatchKey {
 	bool is_added;
-	int level;
+	int level; ///< Or SQUARES.
 	int factor; ///< Width in tiles.
 	TileKey tile; ///< Of wider_tile() for that factor.
 	int new_chunk = -1; ///< Number of a chunk of new plants, or -1.
@@ -53,7 +56,7 @@ struct BatchPlan {
 	godot::PackedFloat32Array buffer;
 	godot::AABB box; ///< Covers the largest deflection.
 	godot::AABB roots; ///< Bounding box of the roots.
-	std::shared_ptr<NearSquare> near; ///< Instead of the buffer, for levels that are drawn plant by plant.
+	std::shared_ptr<NearSquare> near; ///< Instead of the buffer, for SQUARES.
 };
 
 /// A chunk to be drawn.
@@ -65,7 +68,7 @@ struct DrawnChunk {
 
 /// Plans the multimeshes of some chunks at all levels. On any thread.
 std::vector<BatchPlan> plan_batches(const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks);
-/// The same at one level of detail.
+/// The same at one level of detail, or only the squares of single plants.
 std::vector<BatchPlan> plan_level(const FieldRenderSetup &setup, const std::vector<DrawnChunk> &chunks, int level);
 
 } // namespace undergrowth

@@ -34,10 +34,9 @@ static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn
 static constexpr float DISTINCT_END = 4.5f;
 static constexpr int DISTINCT_VARIANTS = 2;
 static constexpr float MAX_NEAR_PLANTS = 12000.0f; // Within the end of a level that is drawn plant by plant.
-static constexpr int SHADOW_SEGMENTS = 3; // Finer levels cast the shadows of this one.
-static constexpr float MAX_CASTER_BEGIN = 8.0f; // m: a level that begins farther casts no shadows of nearer plants.
-static constexpr float NEAR_SHADOWS = 3.0f; // m: where plants of dense species cast them, too.
-static constexpr float MAX_SHADOW_VERTICES = 600.0f; // Per m²; denser species cast the shadows of their last level.
+static constexpr int SHADOW_SEGMENTS = 3; // Finer levels cast no shadows.
+static constexpr float NEAR_SHADOWS = 3.0f; // m: to there, dense species cast shadows of more than the last level.
+static constexpr float MAX_SHADOW_VERTICES = 600.0f; // Per m², of a species that is not dense.
 static constexpr int MIN_SEGMENTS_OF_NEAR = 3; // Coarser levels of plants of parts are drawn in squares.
 
 // Triangles in view of a whole field, if it has this area or more (m²). Above that, levels change nearer than their
@@ -136,40 +135,42 @@ static void set_near(const LevelRule &rule, const SpeciesStyle &style, std::vect
 	}
 }
 
-// The level that casts the shadows of a plant has fewer vertices than the level that is seen: the nearest plants cast
-// those of `near_shadow_level`, and all others those of the level with `casts_for_finer` or of a coarser one.
-static void set_shadows(const LevelRule &rule, SpeciesStyle &style, std::vector<FieldLevel> &levels) {
-	const float shadows_end = rule.shadow_distance * rule.lod_bias;
+// Density of the plants that cast shadows. The others are wider.
+static LodDensity density_of_shadows(float lod_bias) {
+	LodDensity made;
+	const float distances[3] = { 3.5f, 9.0f, 27.0f };
+	const float densities[3] = { 1.0f, 0.33f, 0.08f };
+	for (int i = 0; i < 3; i++) {
+		made.distances[i] = distances[i] * lod_bias;
+		made.densities[i] = densities[i];
+	}
+	return made;
+}
+
+// A level with few vertices casts the shadows of the nearest plants, and the last level those of the others.
+static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<FieldLevel> &levels) {
+	const float end = rule.shadow_distance * rule.lod_bias;
 	const auto last = std::find_if(levels.rbegin(), levels.rend(), [](const FieldLevel &one) { return one.is_used; });
-	FieldLevel *caster = &*last;
+	const auto near = std::find_if(levels.begin(), levels.end(),
+			[](const FieldLevel &one) { return one.is_used && one.lod <= SHADOW_SEGMENTS; });
 	const bool is_dense = style.density * float(vertex_budget(SHADOW_SEGMENTS)) > MAX_SHADOW_VERTICES;
-	style.near_shadow_level = -1;
-	style.near_shadow_end = 0.0f;
-	for (size_t i = levels.size(); i-- > 0;) {
-		FieldLevel &level = levels[i];
-		level.casts_for_finer = false;
-		level.shadow_begin = 0.0f;
-		if (level.is_used && level.lod <= SHADOW_SEGMENTS) {
-			caster = is_dense || level.is_near || level.begin > MAX_CASTER_BEGIN * rule.lod_bias ? caster : &level;
-			style.near_shadow_level = int(i);
-		}
-	}
+	const float near_end = is_dense ? NEAR_SHADOWS * rule.lod_bias : near != levels.end() ? near->end : 0.0f;
+	style.casters = {};
 	for (FieldLevel &level : levels) {
-		level.casts_shadows = level.is_used && &level >= caster && level.begin < shadows_end;
+		level.casts_shadows = false;
 	}
-	const bool has_finer = caster->begin > 0.0f;
-	if (!has_finer || shadows_end <= 0.0f || caster->is_near) {
-		style.near_shadow_level = -1;
+	if (end <= 0.0f) {
 		return;
 	}
-	const bool has_near = std::any_of(levels.begin(), levels.end(), [](const FieldLevel &one) { return one.is_near; });
-	if (is_dense && has_near && style.near_shadow_level >= 0 && &levels[size_t(style.near_shadow_level)] != caster) {
-		style.near_shadow_end = std::min({ NEAR_SHADOWS * rule.lod_bias, caster->begin, shadows_end });
-	} else {
-		style.near_shadow_level = -1;
+	const LodDensity lod_density = density_of_shadows(rule.lod_bias);
+	float begin = 0.0f;
+	if (near != levels.end() && &*near != &*last) {
+		begin = std::min(near_end, end);
+		style.casters[0] = { int(near - levels.begin()), 0.0f, begin, lod_density };
 	}
-	caster->casts_for_finer = true;
-	caster->shadow_begin = style.near_shadow_end;
+	if (begin < end) {
+		style.casters[1] = { int(&*last - levels.data()), begin, end, lod_density };
+	}
 }
 
 static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyle &style, float coarser) {
@@ -178,7 +179,7 @@ static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyl
 	set_distances(rule, style, begins_of(setup, style, coarser), levels);
 	if (!style.errors.empty()) {
 		set_near(rule, style, levels);
-		set_shadows(rule, style, levels);
+		set_casters(rule, style, levels);
 	}
 	for (FieldLevel &level : levels) {
 		level.casts_shadows = level.is_used && level.casts_shadows && level.begin < level.shadow_end;

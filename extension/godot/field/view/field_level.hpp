@@ -24,22 +24,18 @@ struct FieldLevel {
 	bool affects_lathes = false; ///< True: thins all plants. False: only plants of parts.
 	bool casts_shadows = true;
 	float shadow_end = 0.0f; ///< m: plants farther away cast no shadows.
-	float shadow_begin = 0.0f; ///< m: where it begins to cast the shadows of finer levels.
-	bool casts_for_finer = false; ///< True: its plants also cast the shadows of all finer levels.
 
 	bool operator==(const FieldLevel &other) const {
 		return std::tie(lod, begin, end, margin, end_margin, tile_factor, tile_cuts, affects_lathes, casts_shadows,
-					   shadow_end, shadow_begin) ==
+					   shadow_end) ==
 				std::tie(other.lod, other.begin, other.end, other.margin, other.end_margin, other.tile_factor,
-						other.tile_cuts, other.affects_lathes, other.casts_shadows, other.shadow_end,
-						other.shadow_begin) &&
+						other.tile_cuts, other.affects_lathes, other.casts_shadows, other.shadow_end) &&
 				lod_density == other.lod_density && has_form_of(other);
 	}
 	/// True if both are drawn with the same meshes and multimeshes.
 	bool has_form_of(const FieldLevel &other) const {
-		return std::tie(lod, halvings, min_variants, is_used, is_near, casts_for_finer) ==
-				std::tie(other.lod, other.halvings, other.min_variants, other.is_used, other.is_near,
-						other.casts_for_finer);
+		return std::tie(lod, halvings, min_variants, is_used, is_near) ==
+				std::tie(other.lod, other.halvings, other.min_variants, other.is_used, other.is_near);
 	}
 	/// Returns the number of meshes at this level for a species of `variants` plants, at least 1.
 	int groups(int variants) const { return std::max({ 1, variants >> halvings, std::min(variants, min_variants) }); }

@@ -32,7 +32,8 @@ static Vector3 vector_of(const float (&numbers)[3]) {
 }
 
 // Plants without parts have the same width from all directions.
-static Vector2 above_at(const SpeciesStyle &style, size_t level) {
+static Vector2 above_at(const SpeciesStyle &style, size_t material) {
+	const size_t level = style.level_of(material);
 	return style.has_parts() && level < style.from_above.size() ? style.from_above[level] : Vector2();
 }
 
@@ -51,7 +52,7 @@ bool FieldMaterials::make(FieldRenderSetup &setup, double usec) const {
 	const Stopwatch watch;
 	bool is_any = false;
 	for (SpeciesStyle &style : setup.styles) {
-		while (style.materials.size() < setup.levels.size() + 2) { // The last two are for shadows.
+		while (style.materials.size() < setup.levels.size() + style.casters.size()) {
 			if (std::exchange(is_any, true) && watch.usec() > usec) {
 				return false;
 			}
@@ -95,23 +96,18 @@ void FieldMaterials::bind_last(FieldRenderSetup &setup, const FieldMotion &motio
 	bind_style(setup.styles.back(), motion);
 }
 
-// Returns the level of a material. The last two materials are for the shadows of finer levels.
+// Returns the level that a material draws, or that a caster's material casts.
 static FieldLevel drawn_level(const SpeciesStyle &style, size_t material) {
 	if (material < style.levels.size()) {
 		return style.levels[material];
 	}
-	if (material > style.levels.size()) {
-		FieldLevel near = style.levels[size_t(std::max(style.near_shadow_level, 0))];
-		near.begin = 0.0f;
-		near.end = style.near_shadow_end;
-		near.end_margin = SHADOW_MARGIN;
-		near.is_used = style.near_shadow_level >= 0;
-		return near;
-	}
-	FieldLevel level = *std::find_if(
-			style.levels.begin(), style.levels.end() - 1, [](const FieldLevel &one) { return one.casts_for_finer; });
-	level.begin = style.near_shadow_end;
-	level.margin = SHADOW_MARGIN;
+	const ShadowCaster &caster = style.casters[material - style.levels.size()];
+	FieldLevel level = style.levels[style.level_of(material)];
+	level.is_used = caster.level >= 0;
+	level.begin = caster.begin;
+	level.end = caster.end;
+	level.margin = level.end_margin = SHADOW_MARGIN;
+	level.lod_density = caster.lod_density;
 	return level;
 }
 
@@ -128,7 +124,7 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		set_parameter(material, "undergrowth_shares", vector_of(lod_density.densities));
 		set_parameter(material, "undergrowth_has_parts", style.has_parts());
 		set_parameter(material, "undergrowth_mean", style.mean);
-		set_parameter(material, "undergrowth_from_above", above_at(style, std::min(i, style.levels.size() - 1)));
+		set_parameter(material, "undergrowth_from_above", above_at(style, i));
 		set_parameter(material, "undergrowth_bends", motion.pose_texture());
 		set_parameter(material, "undergrowth_blends", motion.blend_texture());
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());

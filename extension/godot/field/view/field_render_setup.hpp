@@ -31,6 +31,10 @@ struct FieldRenderSetup {
 	int listed_count = 0; ///< Styles of the field's list of species. The remaining ones belong to added plants.
 	godot::String left_out; ///< Faults of list entries without plants; empty: none.
 
+	static constexpr int FLOATS = 16; ///< Of an instance: its transform and custom data.
+	static constexpr int FLOATS_WITH_COLORS = 20;
+	/// Floats of an instance in a multimesh.
+	int instance_floats() const { return needs_colors ? FLOATS_WITH_COLORS : FLOATS; }
 	/// True if no plant of an entry of the list can be built.
 	bool is_absent(int listed) const {
 		return listed < listed_count && size_t(listed) < styles.size() && styles[size_t(listed)].is_absent;

@@ -54,28 +54,17 @@ void FieldView::set_range(const Batch &batch, const FieldLevel &level) const {
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->instance_geometry_set_visibility_range(
 			batch.instance, begin, end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
-	if (batch.shadow.is_valid()) { // Where the level itself casts no shadow, finer ones do.
-		const float last = level.shadow_end + radius;
-		const float own_end = !level.casts_shadows ? level.begin + radius : end > 0.0f ? std::min(end, last) : last;
-		const float own_begin = std::max(level.shadow_begin - radius, 0.0f);
-		server->instance_geometry_set_visibility_range(
-				batch.shadow, own_begin, own_end, 0.0f, 0.0f, RenderingServer::VISIBILITY_RANGE_FADE_DISABLED);
-	}
 }
 
 void FieldView::apply_flags(const Batch &batch, const FieldLevel &level) const {
 	RenderingServer *server = RenderingServer::get_singleton();
-	server->instance_set_layer_mask(batch.instance, render_flags.layers);
-	server->instance_geometry_set_transparency(batch.instance, render_flags.transparency);
+	server->instance_set_layer_mask(batch.instance, around.flags.layers);
+	server->instance_geometry_set_transparency(batch.instance, around.flags.transparency);
 	set_caster(batch, level);
-	if (batch.shadow.is_valid()) {
-		server->instance_set_layer_mask(batch.shadow, render_flags.layers);
-		set_visible(batch, is_visible && batch.is_revealed);
-	}
 }
 
 void FieldView::set_caster(const Batch &batch, const FieldLevel &level) const {
-	const bool casts = render_flags.casts_shadows && casts_itself(level) && batch.is_within_shadows;
+	const bool casts = around.flags.casts_shadows && level.casts_shadows && batch.is_within_shadows;
 	RenderingServer::get_singleton()->instance_geometry_set_cast_shadows_setting(batch.instance,
 			casts ? RenderingServer::SHADOW_CASTING_SETTING_ON : RenderingServer::SHADOW_CASTING_SETTING_OFF);
 }
@@ -83,7 +72,6 @@ void FieldView::set_caster(const Batch &batch, const FieldLevel &level) const {
 FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan &plan) const {
 	RenderingServer *server = RenderingServer::get_singleton();
 	const SpeciesStyle &style = setup.styles[size_t(plan.species)];
-	const FieldLevel &level = style.levels[size_t(plan.place.level)];
 	Batch batch;
 	batch.species = plan.species;
 	batch.count = plan.count;
@@ -96,28 +84,20 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	if (batch.near) {
 		return batch;
 	}
+	const FieldLevel &level = style.levels[size_t(plan.place.level)];
 	batch.multimesh = server->multimesh_create();
 	server->multimesh_allocate_data(
 			batch.multimesh, plan.count, RenderingServer::MULTIMESH_TRANSFORM_3D, setup.needs_colors, true, false);
 	server->multimesh_set_mesh(batch.multimesh, style.meshes[size_t(plan.place.level)][size_t(plan.group)]->get_rid());
 	server->multimesh_set_custom_aabb(batch.multimesh, plan.box);
 	server->multimesh_set_buffer(batch.multimesh, plan.buffer);
-	batch.instance = server->instance_create2(batch.multimesh, world);
-	server->instance_attach_object_instance_id(batch.instance, owner);
+	batch.instance = server->instance_create2(batch.multimesh, around.world);
+	server->instance_attach_object_instance_id(batch.instance, around.owner);
 	server->instance_set_transform(batch.instance, place_of(batch));
 	server->instance_set_visible(batch.instance, false);
 	server->instance_geometry_set_material_override(
 			batch.instance, style.materials[size_t(plan.place.level)]->get_rid());
-	if (level.casts_for_finer) {
-		batch.shadow = server->instance_create2(batch.multimesh, world);
-		server->instance_attach_object_instance_id(batch.shadow, owner);
-		server->instance_set_transform(batch.shadow, placed);
-		server->instance_set_visible(batch.shadow, false);
-		server->instance_geometry_set_material_override(batch.shadow, style.materials[style.levels.size()]->get_rid());
-		server->instance_geometry_set_cast_shadows_setting(
-				batch.shadow, RenderingServer::SHADOW_CASTING_SETTING_SHADOWS_ONLY);
-	}
-	if (!casts_itself(level) || !(render_flags == InstanceRenderFlags())) { // New instances have these defaults.
+	if (!level.casts_shadows || !(around.flags == InstanceRenderFlags())) { // New instances have these defaults.
 		apply_flags(batch, level);
 	}
 	set_range(batch, level);
@@ -128,9 +108,21 @@ void FieldView::set_visible(const Batch &batch, bool visible) const {
 	if (!batch.near) {
 		RenderingServer::get_singleton()->instance_set_visible(batch.instance, visible);
 	}
-	if (batch.shadow.is_valid()) {
-		RenderingServer::get_singleton()->instance_set_visible(batch.shadow, visible && render_flags.casts_shadows);
-	}
+}
+
+void FieldView::bind_lists(const FieldRenderSetup &setup) {
+	near.bind(setup);
+	shadows.bind(setup);
+}
+
+void FieldView::pass_surroundings() {
+	near.follow(around);
+	shadows.follow(around);
+}
+
+void FieldView::set_owner(uint64_t object) {
+	around.owner = object;
+	pass_surroundings();
 }
 
 FieldView::Levels FieldView::levels_of(const FieldRenderSetup &setup) {
@@ -141,7 +133,7 @@ FieldView::Levels FieldView::levels_of(const FieldRenderSetup &setup) {
 	return all;
 }
 
-// Passes the present squares of single plants to `near`.
+// Passes the present squares of single plants.
 void FieldView::place_near() {
 	std::vector<std::shared_ptr<NearSquare>> squares;
 	for (const auto &[place, group] : batches) {
@@ -151,6 +143,7 @@ void FieldView::place_near() {
 			}
 		}
 	}
+	shadows.set_squares(squares);
 	near.set_squares(std::move(squares));
 	has_other_near = false;
 }
@@ -158,7 +151,7 @@ void FieldView::place_near() {
 void FieldView::show(const FieldRenderSetup &setup, const std::vector<BatchPlan> &plans) {
 	levels = levels_of(setup);
 	note_change();
-	near.bind(setup);
+	bind_lists(setup);
 	for (const BatchPlan &plan : plans) {
 		std::vector<Batch> &there = batches[plan.place];
 		there.push_back(make(setup, plan));
@@ -169,8 +162,8 @@ void FieldView::show(const FieldRenderSetup &setup, const std::vector<BatchPlan>
 
 void FieldView::show_added(const FieldRenderSetup &setup, const FieldMotion &motion, const PlantStore &store,
 		const std::set<TileKey> &tiles) {
-	for (int level = 0; level < int(setup.levels.size()); level++) {
-		const int factor = setup.levels[size_t(level)].tile_factor;
+	for (int level = SQUARES; level < int(setup.levels.size()); level++) {
+		const int factor = level == SQUARES ? 1 : setup.levels[size_t(level)].tile_factor;
 		std::set<TileKey> places;
 		for (const TileKey &tile : tiles) {
 			places.insert(wider_tile(tile, factor));
@@ -203,7 +196,7 @@ void FieldView::show_all_added(const FieldRenderSetup &setup, const FieldMotion 
 void FieldView::drop_new_chunk(int number) {
 	const auto known = new_chunks.find(number);
 	if (known != new_chunks.end()) {
-		for (int level = 0; level < level_count(); level++) {
+		for (int level = SQUARES; level < level_count(); level++) {
 			clear(BatchKey{ false, level, 1, known->second, number });
 		}
 		new_chunks.erase(known);
@@ -218,7 +211,7 @@ void FieldView::replace_new_chunk(const TileKey &tile, int number) {
 void FieldView::update_levels(const FieldRenderSetup &setup) {
 	levels = levels_of(setup);
 	note_change();
-	near.bind(setup);
+	bind_lists(setup);
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
 			if (!batch.near) {
@@ -230,22 +223,19 @@ void FieldView::update_levels(const FieldRenderSetup &setup) {
 }
 
 void FieldView::set_scenario(const RID &scenario) {
-	world = scenario;
+	around.world = scenario;
 	free_some(0.0, true);
 	for_each([&](RenderingServer *server, const FieldLevel &, const Batch &batch) {
-		server->instance_set_scenario(batch.instance, world);
-		if (batch.shadow.is_valid()) {
-			server->instance_set_scenario(batch.shadow, world);
-		}
+		server->instance_set_scenario(batch.instance, around.world);
 	});
-	near.set_scenario(world);
+	pass_surroundings();
 }
 
 void FieldView::set_transform(const Transform3D &transform) {
 	if (!transform.is_finite()) {
 		return; // The engine would report an error for each multimesh.
 	}
-	placed = transform;
+	around.placed = transform;
 	note_change();
 	const Vector3 scale = transform.basis.get_scale().abs();
 	const float largest = std::max({ scale.x, scale.y, scale.z });
@@ -253,24 +243,21 @@ void FieldView::set_transform(const Transform3D &transform) {
 	largest_scale = largest;
 	for_each([&](RenderingServer *server, const FieldLevel &level, const Batch &batch) {
 		server->instance_set_transform(batch.instance, place_of(batch));
-		if (batch.shadow.is_valid()) {
-			server->instance_set_transform(batch.shadow, placed);
-		}
 		if (scale_changed) {
 			set_range(batch, level);
 		}
 	});
-	near.set_transform(placed);
+	pass_surroundings();
 }
 
 Transform3D FieldView::place_of(const Batch &batch) const {
-	return batch.tilt == 0.0f ? placed : tilted(placed, batch.tilt, batch.roots.get_center().y);
+	return batch.tilt == 0.0f ? around.placed : tilted(around.placed, batch.tilt, batch.roots.get_center().y);
 }
 
 // True if a camera may show the multimesh, as a sphere, at its level.
 bool FieldView::is_seen(const Batch &batch, const FieldLevel &level, const DrawingCamera &camera) const {
 	static constexpr float TALLEST = 4.0f; // m, beside the roots.
-	const Vector3 way = placed.xform(batch.middle) - camera.place;
+	const Vector3 way = around.placed.xform(batch.middle) - camera.place;
 	const float away = way.length();
 	const float radius = batch.radius * largest_scale;
 	const bool is_in_range =
@@ -305,24 +292,24 @@ void FieldView::set_tilt(float now, const std::vector<DrawingCamera> &cameras) {
 }
 
 void FieldView::set_visible(bool visible) {
-	is_visible = visible;
+	around.is_visible = visible;
 	for_each([this, visible](RenderingServer *, const FieldLevel &, const Batch &batch) {
 		if (batch.is_revealed) {
 			set_visible(batch, visible);
 		}
 	});
-	near.set_visible(visible);
+	pass_surroundings();
 }
 
 void FieldView::set_flags(const InstanceRenderFlags &flags) {
-	render_flags = flags;
+	around.flags = flags;
 	for_each([&](RenderingServer *, const FieldLevel &level, const Batch &batch) { apply_flags(batch, level); });
-	near.apply_flags(render_flags);
+	pass_surroundings();
 }
 
 void FieldView::set_materials(const FieldRenderSetup &setup) {
 	RenderingServer *server = RenderingServer::get_singleton();
-	near.bind(setup);
+	bind_lists(setup);
 	for (const auto &[place, group] : batches) {
 		for (const Batch &batch : group) {
 			if (!batch.near) {
@@ -336,9 +323,6 @@ void FieldView::set_material(
 		RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch) {
 	const SpeciesStyle &style = setup.styles[size_t(batch.species)];
 	server->instance_geometry_set_material_override(batch.instance, style.materials[size_t(place.level)]->get_rid());
-	if (batch.shadow.is_valid()) {
-		server->instance_geometry_set_material_override(batch.shadow, style.materials[style.levels.size()]->get_rid());
-	}
 }
 
 static AABB box_around(const Transform3D &axes, const AABB &box) {
@@ -355,7 +339,7 @@ float FieldView::distance_to(const Batch &batch, const std::vector<DrawingCamera
 	if (cameras.empty()) {
 		return 0.0f;
 	}
-	const AABB box = box_around(placed, batch.roots);
+	const AABB box = box_around(around.placed, batch.roots);
 	float nearest = std::numeric_limits<float>::max();
 	for (const DrawingCamera &camera : cameras) {
 		const Vector3 &place = camera.place;
@@ -369,8 +353,7 @@ int FieldView::steps_for(const FieldLevel &level, const Batch &batch, float dist
 	if (!lod_density.is_any()) {
 		return RANK_STEPS;
 	}
-	const float min = batch.shadow.is_valid() ? 0.0f : level.begin - level.margin;
-	const float cut = lod_density.cut_at(std::max(distance, min));
+	const float cut = lod_density.cut_at(std::max(distance, level.begin - level.margin));
 	return bounded_whole(std::ceil((cut + RANK_ERROR) * RANK_STEPS), 0, RANK_STEPS);
 }
 
@@ -388,6 +371,7 @@ void FieldView::cull(const std::vector<DrawingCamera> &cameras) {
 		place_near();
 	}
 	near.update(cameras);
+	shadows.update(cameras);
 	const auto is_near = [](const DrawingCamera &one, const DrawingCamera &other) {
 		return one.place.distance_to(other.place) < CAMERA_STEP;
 	};
@@ -434,13 +418,13 @@ const std::vector<int> &FieldView::count_drawn(const FieldRenderSetup &setup, co
 				const std::vector<FieldLevel> &species_levels = levels[size_t(batch.species)];
 				for (size_t i = 0; i < species_levels.size(); i++) {
 					counted[i] += species_levels[i].is_near
-							? batch.near->count_within(placed.affine_inverse().xform(camera), species_levels[i])
+							? batch.near->count_within(around.placed.affine_inverse().xform(camera), species_levels[i])
 							: 0;
 				}
 				continue;
 			}
 			const FieldLevel &level = level_of(place, batch);
-			const float away = placed.xform(batch.middle).distance_to(camera);
+			const float away = around.placed.xform(batch.middle).distance_to(camera);
 			const float radius = batch.radius * largest_scale;
 			if (away >= level.begin - radius && (level.end <= 0.0f || away < level.end + radius)) {
 				const int steps = steps_for(level, batch, distance_to(batch, { seen_from }));
@@ -455,9 +439,6 @@ void FieldView::free_batch(const Batch &batch) {
 	RenderingServer *server = RenderingServer::get_singleton();
 	if (batch.near) {
 		return;
-	}
-	if (batch.shadow.is_valid()) {
-		server->free_rid(batch.shadow);
 	}
 	server->free_rid(batch.instance);
 	server->free_rid(batch.multimesh);
@@ -480,7 +461,7 @@ void FieldView::forget_prepared() {
 
 void FieldView::reveal(Batch &batch) {
 	batch.is_revealed = has_unflushed = true;
-	set_visible(batch, is_visible);
+	set_visible(batch, around.is_visible);
 }
 
 // The renderer processes everything new before it frees an instance.
@@ -532,7 +513,7 @@ void FieldView::clear(const BatchKey &place) {
 
 void FieldView::drop_tile(const TileKey &tile) {
 	has_counted = false;
-	for (int level = 0; level < level_count(); level++) {
+	for (int level = SQUARES; level < level_count(); level++) {
 		take_parts(batches, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
 			has_other_near = has_other_near || has_near(group);
 			for (const Batch &batch : group) {
@@ -544,7 +525,7 @@ void FieldView::drop_tile(const TileKey &tile) {
 }
 
 void FieldView::show_tile(const FieldRenderSetup &setup, const TileKey &tile) {
-	for (int level = 0; level < int(setup.levels.size()); level++) {
+	for (int level = SQUARES; level < int(setup.levels.size()); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [&](const BatchKey &place, std::vector<Batch> &group) {
 			for (Batch &batch : group) {
 				show_prepared(setup, place, std::move(batch));
@@ -568,7 +549,7 @@ void FieldView::show_prepared(const FieldRenderSetup &setup, const BatchKey &pla
 }
 
 void FieldView::forget_tile(const TileKey &tile) {
-	for (int level = 0; level < (prepared_levels.empty() ? 0 : int(prepared_levels.front().size())); level++) {
+	for (int level = SQUARES; level < (prepared_levels.empty() ? 0 : int(prepared_levels.front().size())); level++) {
 		take_parts(prepared, { false, level, 1, tile }, [this](const BatchKey &, std::vector<Batch> &group) {
 			std::move(group.begin(), group.end(), std::back_inserter(gone));
 		});
@@ -580,7 +561,7 @@ void FieldView::exchange(const FieldRenderSetup &setup) {
 	new_chunks.clear();
 	next_revealed.reset();
 	levels = levels_of(setup);
-	near.bind(setup);
+	bind_lists(setup);
 	has_other_near = true;
 	note_change();
 }

@@ -4,6 +4,7 @@
 #include "field/motion/field_motion.hpp"
 #include "field/view/batch_plans.hpp"
 #include "field/view/near_plants.hpp"
+#include "field/view/shadow_plants.hpp"
 #include "placement/plant_store.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
@@ -89,10 +90,7 @@ public:
 	/// Applies the new materials of `setup`.
 	void set_materials(const FieldRenderSetup &setup);
 	/// Sets the owner of the instances, which the editor selects by rays.
-	void set_owner(uint64_t object) {
-		owner = object;
-		near.set_owner(object);
-	}
+	void set_owner(uint64_t object);
 
 	/// Number of plants that a camera at `camera` (world axes) shows at each level. Counts again after the camera has
 	/// moved by 0.25 m or multimeshes have changed.
@@ -109,8 +107,7 @@ private:
 		godot::AABB roots; ///< Field axes, m.
 		godot::Vector3 middle; ///< Centre of the drawn box, to which the engine measures distances.
 		float radius = 0.0f; ///< m, largest distance of a root from `middle`.
-		godot::RID shadow; ///< Instance that casts the shadows of finer levels; invalid: none.
-		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants draws them.
+		std::shared_ptr<NearSquare> near; ///< Without a multimesh: NearPlants and ShadowPlants draw from it.
 		int shown = RANK_STEPS; ///< Highest drawn rank, times RANK_STEPS.
 		bool is_within_shadows = true; ///< So near to a camera that its plants cast shadows.
 		float tilt = 0.0f; ///< As set_tilt() set it.
@@ -129,16 +126,13 @@ private:
 	Levels levels; ///< As last shown.
 	Levels prepared_levels;
 	NearPlants near;
-	bool has_other_near = false; ///< Squares of `near` came or went.
+	ShadowPlants shadows;
+	bool has_other_near = false; ///< Squares of `near` and `shadows` came or went.
 	std::optional<BatchKey> next_revealed; ///< Next square for reveal_some(). Empty: the first one.
-	godot::RID world; ///< Its scenario.
-	godot::Transform3D placed;
+	ListSurroundings around;
 	float tilt = 0.0f; ///< Of plants in sight.
 	float largest_scale = 1.0f; ///< Of the field's axes.
-	bool is_visible = true;
 	bool has_unflushed = false; ///< Multimeshes were shown since the last drawn frame.
-	InstanceRenderFlags render_flags;
-	uint64_t owner = 0;
 	std::vector<DrawingCamera> culled_for; ///< Cameras of the last cull().
 	bool is_culled = false; ///< False: something changed since.
 	std::vector<int> counted; ///< Drawn plants by level.
@@ -164,13 +158,14 @@ private:
 	/// Smallest distance (m) of its plants to a camera, never too large. No cameras: 0.
 	float distance_to(const Batch &batch, const std::vector<DrawingCamera> &cameras) const;
 	int steps_for(const FieldLevel &level, const Batch &batch, float distance) const;
-	static bool casts_itself(const FieldLevel &level) { return level.casts_shadows && !level.casts_for_finer; }
 	void set_caster(const Batch &batch, const FieldLevel &level) const;
 	static Levels levels_of(const FieldRenderSetup &setup);
 	const FieldLevel &level_of(const BatchKey &place, const Batch &batch) const {
 		return levels[size_t(batch.species)][size_t(place.level)];
 	}
 	void place_near();
+	void bind_lists(const FieldRenderSetup &setup);
+	void pass_surroundings();
 	/// Calls act(server, level, batch) for all multimeshes, prepared ones included.
 	template <class Act> void for_each(Act &&act) const;
 };

@@ -176,15 +176,12 @@ void SpeciesStyle::measure() {
 	}
 }
 
+size_t SpeciesStyle::level_of(size_t material) const {
+	return material < levels.size() ? material : size_t(std::max(casters[material - levels.size()].level, 0));
+}
+
 bool SpeciesStyle::is_carded(size_t material) const {
-	size_t level = material;
-	if (material > levels.size()) {
-		level = size_t(std::max(near_shadow_level, 0));
-	} else if (material == levels.size()) {
-		const auto caster = std::find_if(
-				levels.begin(), levels.end() - 1, [](const FieldLevel &one) { return one.casts_for_finer; });
-		level = size_t(caster - levels.begin());
-	}
+	const size_t level = level_of(material);
 	return level < are_carded.size() && are_carded[level];
 }
 
@@ -193,7 +190,7 @@ DrawnParts SpeciesStyle::drawn_parts(size_t material) const {
 	if (is_carded(material)) {
 		return DrawnParts::with_cards;
 	}
-	return material == levels.size() ? DrawnParts::shadows : DrawnParts::solid;
+	return material > levels.size() ? DrawnParts::shadows : DrawnParts::solid;
 }
 
 // Plants of parts are sampled with all variants at all levels. The samples of the first used level are kept for plants

@@ -9,7 +9,9 @@
 
 #include <godot_cpp/classes/shader_material.hpp>
 
+#include <array>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace undergrowth {
@@ -18,6 +20,19 @@ namespace undergrowth {
 struct FieldVariant {
 	int64_t seed = 0; ///< A Plant3D with this seed looks the same.
 	float height = 1.0f; ///< m.
+};
+
+/// Casts the shadows of the plants of parts around the cameras, in the mesh of a coarse level.
+struct ShadowCaster {
+	int level = -1; ///< -1: none.
+	float begin = 0.0f; ///< Distance from the camera (m).
+	float end = 0.0f; ///< m.
+	LodDensity lod_density;
+
+	bool operator==(const ShadowCaster &other) const {
+		return std::tie(level, begin, end) == std::tie(other.level, other.begin, other.end) &&
+				lod_density == other.lod_density;
+	}
 };
 
 /// One species of a field: its meshes, materials and motion. Sampled on the main thread. After that, only read_motion()
@@ -30,8 +45,9 @@ struct SpeciesStyle {
 	float density = 0.0f; ///< Plants/m² where all species grow; 0: added plants.
 	float mean_scale = 1.0f; ///< Of its plants.
 	std::vector<FieldLevel> levels; ///< Those of the field, at the distances of this species.
-	int near_shadow_level = -1; ///< Level that casts the shadows of plants nearer than `near_shadow_end`; -1: none.
-	float near_shadow_end = 0.0f; ///< m; 0: none.
+	/// For the nearest plants, and for those beyond. None if its levels are not chosen by error: they cast shadows
+	/// themselves.
+	std::array<ShadowCaster, 2> casters;
 	/// Cards of the species; null if its material cannot draw them or its levels are not chosen by error.
 	std::shared_ptr<SharedCards> cards;
 	bool takes_cards = false; ///< True if its material can draw cards.
@@ -44,7 +60,7 @@ struct SpeciesStyle {
 	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
 	std::vector<SampledPlant> nearest; ///< Samples of the first level, for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until created.
-	/// By level, and two for shadows: of finer levels, and of the nearest plants.
+	/// By level, and by caster.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials;
 	MotionSpecies motion;
 	bool has_motion = false; ///< True if `motion` was read.
@@ -109,7 +125,9 @@ struct SpeciesStyle {
 	float height_of(const PlacedPlant &plant) const { return variant_of(plant).height * plant.height; }
 	/// Height with its scale (m).
 	float length_of(const PlacedPlant &plant) const { return height_of(plant) * plant.scale; }
-	/// True if a material draws cards: those of the levels, and the two for shadows.
+	/// Returns the level whose meshes a material draws.
+	size_t level_of(size_t material) const;
+	/// True if a material draws cards.
 	bool is_carded(size_t material) const;
 	/// Returns what a material draws.
 	DrawnParts drawn_parts(size_t material) const;
