@@ -186,11 +186,11 @@ TEST_CASE("the picture of an ear of two rows is not from its narrow side") {
 	for (int i = 0; i < 2; i++) {
 		Growth growth(0.3f, 1);
 		Part stem, spikelet;
-		stem.kind = PartKind::axis;
+		stem.kind = spikelet.kind = PartKind::axis;
 		stem.length_min = stem.length_max = 0.3f;
 		stem.width = 0.003f;
 		spikelet.length_min = spikelet.length_max = 0.03f;
-		spikelet.width = 0.004f;
+		spikelet.width = 0.002f;
 		int stem_kind = 0, spikelet_kind = 0;
 		REQUIRE(growth.add_kind(stem, stem_kind) == "");
 		REQUIRE(growth.add_kind(spikelet, spikelet_kind) == "");
