@@ -12,8 +12,8 @@ namespace undergrowth {
 namespace {
 
 constexpr float MAX_CARD_SHARE = 0.75f; // Of the budget.
-constexpr float MIN_DRAWN_SHARE = 0.8f; // Of the area of all cards. The drawn heads grow by as much.
-constexpr float MIN_GROUP_SHARE = 0.5f; // The same of each group that is this share of all cards or more:
+constexpr float MIN_DRAWN_SHARE = 0.6f; // Of the area of all cards. The drawn heads grow by as much.
+constexpr float MIN_GROUP_SHARE = 0.6f; // The same of each group that is this share of all cards or more:
 constexpr float LARGE_GROUP = 0.2f;
 
 /// Copies everything that is not in a card. `into`: index in the copy, by placed part; -1: in a card.
