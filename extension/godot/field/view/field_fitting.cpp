@@ -57,6 +57,7 @@ static constexpr float COARSENING_POWER = 0.85f; // Below 1: distances keep a pa
 // too, because their tops can lean into view.
 static constexpr float MAX_TRIANGLES_AROUND = 0.33e6f;
 static constexpr int MIN_SEGMENTS_AROUND = 5; // Levels with fewer begin where their error demands it.
+static constexpr float AROUND_END = 5.0f; // m: farther plants are mostly drawn in view.
 static constexpr float DRAWN_BEYOND = 0.3f; // m: NearPlants draws plants before the level begins.
 
 // Distances (m) at which levels of plants without parts begin, by segments.
@@ -110,7 +111,9 @@ static void limit_around(const FieldRenderSetup &setup, const SpeciesStyle &styl
 		const float triangles = TRIANGLES_OF_VERTEX * float(vertex_budget(style.segments_at(setup.levels[i])));
 		const float area = MAX_TRIANGLES_AROUND / (triangles * style.density);
 		const float end = std::sqrt(area / float(PI)) - DRAWN_BEYOND;
-		begins[i + 1] = std::max(std::min(begins[i + 1], end), 0.0f);
+		if (end < AROUND_END) {
+			begins[i + 1] = std::max(std::min(begins[i + 1], end), 0.0f);
+		}
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);
