@@ -23,6 +23,7 @@ constexpr float MIN_RISE = 0.1f; // Of parts above those that they shade, over t
 constexpr float MIN_SIZE = 1e-6f; // m.
 constexpr int AREA_COLUMNS = 64; // Samples of covered_area().
 constexpr int AREA_ROWS = 128;
+constexpr float USUAL_AREA_ERROR = 0.12f; // Of the mean: with less, a picture is not turned.
 constexpr int TURN_COUNT = 6;
 constexpr glm::vec2 TURNS[TURN_COUNT] = { { 1.0f, 0.0f }, { 0.8660254f, 0.5f }, { 0.5f, 0.8660254f }, { 0.0f, 1.0f },
 	{ -0.5f, 0.8660254f }, { -0.8660254f, 0.5f } }; // Cosines and sines of half a circle.
@@ -277,8 +278,8 @@ float covered_area(const FlatParts &parts) {
 	return static_cast<float>(covered) / (AREA_COLUMNS * AREA_ROWS) * 2.0f * box.half * (box.high - box.low);
 }
 
-/// Returns the turn about the axis from which parts cover as much as on average. Ears of two rows are narrow from one
-/// side.
+/// Returns the turn about the axis from which parts cover about as much as on average. Ears of two rows are narrow from
+/// one side.
 glm::vec2 mean_turn(const FlatParts &parts) {
 	float areas[TURN_COUNT];
 	float mean = 0.0f;
@@ -288,9 +289,12 @@ glm::vec2 mean_turn(const FlatParts &parts) {
 		areas[i] = covered_area(turned);
 		mean += areas[i] / TURN_COUNT;
 	}
-	const float *best = std::min_element(
-			areas, areas + TURN_COUNT, [&](float a, float b) { return std::abs(a - mean) < std::abs(b - mean); });
-	return TURNS[best - areas];
+	const auto error = [&](int i) { return std::abs(areas[i] - mean); };
+	int best = 0;
+	for (int i = 1; i < TURN_COUNT && error(0) > USUAL_AREA_ERROR * mean; i++) {
+		best = error(i) < error(best) ? i : best;
+	}
+	return TURNS[best];
 }
 
 CardBox bordered(CardBox box, int width, int height) {
