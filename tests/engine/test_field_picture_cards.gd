@@ -45,8 +45,8 @@ const LOW := 0.3  # Angles of the camera above the plant, rad.
 const HIGH := 1.1
 
 
-## Mean colours (times the covered area) and covered areas (w) of a species with cards, and with all of
-## its parts.
+## Mean colours, times the covered area, and covered areas (w): of a species with cards, and
+## with all of its parts.
 class Pair:
 	var what: String
 	var segments: int
@@ -241,4 +241,3 @@ func _pixels(image: Image) -> float:
 		for x in image.get_width():
 			count += 1 if image.get_pixel(x, y).a > 0.5 else 0
 	return maxf(count, 1.0)
-
