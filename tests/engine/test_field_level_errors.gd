@@ -131,6 +131,23 @@ func test_a_dense_lawn_has_levels_between_near_and_far_ones() -> void:
 	check(_levels()[0]["ends"][-2] > 5.0, "the coarsest one begins at %s" % _levels()[0]["ends"])
 
 
+## Plants beside and behind a low camera are drawn too.
+func test_few_triangles_of_a_dense_species_are_around_a_camera() -> void:
+	field.free()
+	field = (load(WHEAT) as PackedScene).instantiate()
+	field.simulation_enabled = false
+	await start()
+	var segments: PackedInt32Array = _levels()[0]["segments"]
+	var ends: PackedFloat32Array = _levels()[0]["ends"]
+	var plants := 80.0  # Per m².
+	for i in ends.size() - 2:
+		var area := PI * (ends[i] + 0.3) * (ends[i] + 0.3)
+		var triangles := 0.85 * 5.5 * segments[i] * segments[i] * plants * area
+		check(
+			triangles < 0.4e6, "%.0f with %d segments to %.1f m" % [triangles, segments[i], ends[i]]
+		)
+
+
 func test_levels_of_users_go_before_errors() -> void:
 	field.levels = [PlantFieldLevel.of(12, 3.0), PlantFieldLevel.of(4)]
 	await start()

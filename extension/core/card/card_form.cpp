@@ -13,6 +13,8 @@ namespace {
 
 constexpr float MAX_CARD_SHARE = 0.75f; // Of the budget.
 constexpr float MIN_DRAWN_SHARE = 0.6f; // Of the area of all cards. The drawn heads grow by as much.
+constexpr float MIN_GROUP_SHARE = 0.6f; // The same of each group that is this share of all cards or more:
+constexpr float LARGE_GROUP = 0.2f;
 
 /// Copies everything that is not in a card. `into`: index in the copy, by placed part; -1: in a card.
 PlantForm copy_rest(const PlantForm &form, const std::vector<int> &owners, std::vector<int> &into) {
@@ -80,20 +82,32 @@ CarriedCards carried_cards(const CardForm &form, const CardSheet &sheet, const C
 	return cards;
 }
 
-/// Returns the fraction of the cards that a plan draws, by area and colour.
-float drawn_share(const CardForm &form, const CardSheet &sheet, const FormPlan &plan) {
+/// True if a plan draws enough of the cards, by area and colour, and of each large group of them.
+bool draws_enough(const CardForm &form, const CardSheet &sheet, const FormPlan &plan) {
 	const glm::vec3 &light = form.measure.light;
 	const glm::vec3 mean(from_light(light.x), from_light(light.y), from_light(light.z));
-	float drawn = 0.0f;
-	float all = 0.0f;
+	struct Sum {
+		float drawn = 0.0f, all = 0.0f, worth_drawn = 0.0f, worth = 0.0f;
+	};
+	Sum whole;
+	std::vector<Sum> groups(sheet.groups.size());
 	for (size_t i = 0; i < form.places.size(); i++) {
-		const int layer = sheet.layers[static_cast<size_t>(form.places[i].group)];
-		const glm::vec3 color(sheet.pictures[static_cast<size_t>(layer)].color);
-		const float area = form.shown[i] * worth_of(color, mean);
-		all += area;
-		drawn += plan.fates[static_cast<size_t>(form.places[i].carrier)] == FormPlan::drawn ? area : 0.0f;
+		const size_t group = static_cast<size_t>(form.places[i].group);
+		const glm::vec3 color(sheet.pictures[static_cast<size_t>(sheet.layers[group])].color);
+		const bool is_drawn = plan.fates[static_cast<size_t>(form.places[i].carrier)] == FormPlan::drawn;
+		const float worth = form.shown[i] * worth_of(color, mean);
+		for (Sum *sum : { &whole, &groups[group] }) {
+			sum->all += form.shown[i];
+			sum->worth += worth;
+			sum->drawn += is_drawn ? form.shown[i] : 0.0f;
+			sum->worth_drawn += is_drawn ? worth : 0.0f;
+		}
 	}
-	return all > 0.0f ? drawn / all : 0.0f;
+	const auto is_enough = [&](const Sum &sum) {
+		return sum.all < LARGE_GROUP * whole.all || sum.drawn >= MIN_GROUP_SHARE * sum.all;
+	};
+	return whole.worth > 0.0f && whole.worth_drawn >= MIN_DRAWN_SHARE * whole.worth &&
+			std::all_of(groups.begin(), groups.end(), is_enough);
 }
 
 } // namespace
@@ -131,7 +145,7 @@ CardPlan plan_cards(const CardForm &form, const CardSheet &sheet, int budget, in
 	CardPlan plan;
 	const CardRows rows = rows_for(form, sheet, budget);
 	plan.rest = plan_form(form.rest, form.measure, budget, carried_cards(form, sheet, rows));
-	if (drawn_share(form, sheet, plan.rest) < MIN_DRAWN_SHARE) {
+	if (!draws_enough(form, sheet, plan.rest)) {
 		return plan;
 	}
 	divide_carriers(form.rest, carrier_rows, plan.rest);

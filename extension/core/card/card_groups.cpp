@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -100,21 +101,45 @@ std::vector<int> kinds_on(const PlantForm &form, const std::map<Key, Candidate> 
 	return kinds;
 }
 
-/// Divides kinds into groups that are on the same carriers: fresh and faded flowers have their own pictures.
-std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind, const std::vector<int> &kinds) {
-	std::map<int, std::set<int>> by_carrier;
+using Kinds = std::set<int>;
+
+/// By placed part: the kinds of the parts on it.
+std::vector<Kinds> carried_kinds(const PlantForm &form) {
+	std::vector<Kinds> carried(form.placed.size());
 	for (const PlacedPart &part : form.placed) {
-		if (part.carrier != ON_GROUND && part_at(form, part.carrier).kind == carrier_kind &&
-				std::binary_search(kinds.begin(), kinds.end(), part.kind)) {
-			by_carrier[part.carrier].insert(part.kind);
+		if (part.carrier != ON_GROUND) {
+			carried[static_cast<size_t>(part.carrier)].insert(part.kind);
 		}
 	}
-	std::vector<std::set<int>> sets;
-	for (auto &[carrier, own] : by_carrier) {
+	return carried;
+}
+
+size_t count_common(const Kinds &one, const std::vector<int> &other) {
+	return static_cast<size_t>(
+			std::count_if(other.begin(), other.end(), [&](int kind) { return one.count(kind) > 0; }));
+}
+
+/// True if both are from heads of one sort, of which some have no parts of a kind. Fresh and faded flowers only have
+/// some kinds in common, like their bracts.
+bool are_alike(const Kinds &one, const Kinds &other) {
+	const size_t common = count_common(one, std::vector<int>(other.begin(), other.end()));
+	const size_t all = one.size() + other.size() - common;
+	return common > 0 && (common == std::min(one.size(), other.size()) || 2 * common >= all);
+}
+
+/// Divides kinds into groups that are on the same carriers: fresh and faded flowers have their own pictures.
+std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind, const std::vector<int> &kinds) {
+	std::vector<Kinds> sets;
+	const std::vector<Kinds> carried = carried_kinds(form);
+	for (size_t carrier = 0; carrier < carried.size(); carrier++) {
+		Kinds own;
+		std::set_intersection(carried[carrier].begin(), carried[carrier].end(), kinds.begin(), kinds.end(),
+				std::inserter(own, own.end()));
+		if (form.placed[carrier].kind != carrier_kind || own.empty()) {
+			continue;
+		}
 		for (size_t i = 0; i < sets.size();) {
-			const bool is_common =
-					std::any_of(own.begin(), own.end(), [&](int kind) { return sets[i].count(kind) > 0; });
-			if (is_common) {
+			if (are_alike(own, sets[i])) {
 				own.insert(sets[i].begin(), sets[i].end());
 				sets.erase(sets.begin() + static_cast<std::ptrdiff_t>(i));
 			} else {
@@ -124,15 +149,31 @@ std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind
 		sets.push_back(own);
 	}
 	std::vector<CardGroup> groups;
-	for (const std::set<int> &own : sets) {
+	for (const Kinds &own : sets) {
 		groups.push_back({ carrier_kind, std::vector<int>(own.begin(), own.end()), CardShape::flat });
 	}
 	return groups;
 }
 
+/// Returns the group of a part on a carrier with parts of these kinds: the one that has most of them in common, or -1.
+int group_of(const std::vector<CardGroup> &groups, int carrier_kind, int kind, const Kinds &carried) {
+	int best = -1;
+	size_t most = 0;
+	for (size_t g = 0; g < groups.size(); g++) {
+		const std::vector<int> &own = groups[g].carried;
+		const size_t common = count_common(carried, own);
+		if (groups[g].carrier_kind == carrier_kind && std::binary_search(own.begin(), own.end(), kind) &&
+				common > most && 2 * common >= own.size()) {
+			best = static_cast<int>(g);
+			most = common;
+		}
+	}
+	return best;
+}
+
 /// Returns the shape of a head, from its largest place.
 CardShape shape_of_head(const PlantForm &form, CardGroup group) {
-	group.shape = CardShape::strip; // Its axis begins at its lowest part.
+	group.shape = CardShape::leaf; // Its axis begins at its lowest part, and its extent is that of one side.
 	const CardPlaces all = place_cards(form, { group });
 	const CardPlace *largest = nullptr;
 	for (const CardPlace &place : all.places) {
@@ -160,8 +201,9 @@ void measure_extents(const PlantForm &form, const std::vector<CardGroup> &groups
 			const float offset = static_cast<float>(k) / (MIDRIB_POINTS - 1);
 			const FlatPoint flat = axes[owner].flatten(form.point_of(form.placed[i], offset));
 			CardExtent &extent = all.places[owner].extent;
-			const bool is_head = groups[static_cast<size_t>(all.places[owner].group)].shape == CardShape::head;
-			const float away = is_head ? flat.depth : 0.0f;
+			const CardShape shape = groups[static_cast<size_t>(all.places[owner].group)].shape;
+			const bool is_turned = shape == CardShape::head || shape == CardShape::strip;
+			const float away = is_turned ? flat.depth : 0.0f;
 			extent.low = std::min(extent.low, flat.along);
 			extent.high = std::max(extent.high, flat.along);
 			const float distance = std::sqrt(flat.across * flat.across + away * away);
@@ -218,26 +260,25 @@ CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &grou
 	CardPlaces all;
 	all.owners.assign(form.placed.size(), -1);
 	std::map<Key, int> known; // Carrier and group.
+	const std::vector<Kinds> carried = carried_kinds(form);
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const PlacedPart &part = form.placed[i];
 		if (part.carrier == ON_GROUND) {
 			continue;
 		}
 		const int inherited = all.owners[static_cast<size_t>(part.carrier)];
-		const int carrier_kind = part_at(form, part.carrier).kind;
-		for (size_t g = 0; g < groups.size() && inherited < 0; g++) {
-			const std::vector<int> &carried = groups[g].carried;
-			if (groups[g].carrier_kind == carrier_kind &&
-					std::binary_search(carried.begin(), carried.end(), part.kind)) {
-				const Key key = { part.carrier, static_cast<int>(g) };
-				const auto [place, is_new] = known.emplace(key, static_cast<int>(all.places.size()));
-				if (is_new) {
-					all.places.push_back({ key.second, part.carrier, static_cast<int>(i), 0, 1.0f, {} });
-				}
-				all.owners[i] = place->second;
-				float &from = all.places[static_cast<size_t>(place->second)].from;
-				from = groups[g].shape == CardShape::flat ? 0.0f : std::min(from, part.offset);
+		const int group = inherited >= 0 ? -1
+										 : group_of(groups, part_at(form, part.carrier).kind, part.kind,
+												   carried[static_cast<size_t>(part.carrier)]);
+		if (group >= 0) {
+			const Key key = { part.carrier, group };
+			const auto [place, is_new] = known.emplace(key, static_cast<int>(all.places.size()));
+			if (is_new) {
+				all.places.push_back({ group, part.carrier, static_cast<int>(i), 0, 1.0f, {} });
 			}
+			all.owners[i] = place->second;
+			float &from = all.places[static_cast<size_t>(place->second)].from;
+			from = groups[static_cast<size_t>(group)].shape == CardShape::flat ? 0.0f : std::min(from, part.offset);
 		}
 		all.owners[i] = inherited >= 0 ? inherited : all.owners[i];
 		if (all.owners[i] >= 0) {

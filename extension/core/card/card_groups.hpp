@@ -28,7 +28,7 @@ struct CardGroup {
 struct CardExtent {
 	float low = 0.0f; ///< Along the axis, from its origin.
 	float high = 0.0f;
-	float half = 0.0f; ///< Largest distance across; of heads, from the axis.
+	float half = 0.0f; ///< Largest distance across; of cards that turn, from the axis.
 	float reach = 0.0f; ///< The same with the widths of the parts, which is more than 0 for buds on the axis.
 
 	bool is_empty() const { return !(high > low) || !(half > 0.0f); }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace undergrowth {
 
@@ -255,7 +256,8 @@ std::vector<Mip> mips_of(const CardPicture &picture) {
 
 /// `mean`: linear light that the colours are relative to.
 void write_layer(std::vector<Mip> &mips, const glm::vec3 &mean, CardLayer &layer) {
-	const float share = mips.back().coverage[0];
+	const std::vector<float> &finest = mips.front().coverage;
+	const float share = std::accumulate(finest.begin(), finest.end(), 0.0f) / static_cast<float>(finest.size());
 	fill_holes(mips);
 	for (Mip &mip : mips) {
 		write_alphas(mip, share);

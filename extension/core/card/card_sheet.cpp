@@ -11,7 +11,8 @@ namespace {
 struct LayerSize {
 	int width, height;
 };
-constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 96, 128 }, { 96, 96 }, { 64, 64 }, { 32, 64 } };
+constexpr LayerSize SIZES[] = { { 128, 256 }, { 64, 256 }, { 96, 128 }, { 96, 96 }, { 80, 80 }, { 64, 64 },
+	{ 32, 64 } };
 constexpr float MANY = 0.75f; // Of the number of parts of the largest place.
 constexpr int BYTES_OF_TEXEL = 8; // Of both textures.
 

@@ -53,7 +53,7 @@ glm::vec2 covered_rows(const CardLayer &layer) {
 /// Makes the cards of one place.
 class StripMaker {
 public:
-	/// `larger`: factor of the size of heads, and of the width of strips.
+	/// `larger`: factor of the size of heads and leaves, and of the width of strips.
 	StripMaker(const CardForm &p_form, const CardSheet &p_sheet, const DrawnAttachments &p_drawn, size_t place,
 			float p_larger) :
 			form(p_form),
@@ -69,7 +69,10 @@ public:
 	}
 
 	CardStrip make_strip(int rows) const {
-		const bool is_flat = sheet.groups[static_cast<size_t>(own.group)].shape != CardShape::strip;
+		const CardShape shape = sheet.groups[static_cast<size_t>(own.group)].shape;
+		const bool is_flat = shape != CardShape::strip;
+		const float wider = shape == CardShape::leaf ? larger : std::min(larger, MAX_WIDER);
+		const float longer = shape == CardShape::leaf ? larger : 1.0f;
 		CardStrip strip = begin(is_flat ? CardTurn::fixed : CardTurn::turned);
 		const glm::vec2 covered = covered_rows(layer);
 		for (int i = 0; i < rows; i++) {
@@ -77,9 +80,10 @@ public:
 			const float way = covered.x + (covered.y - covered.x) * step * static_cast<float>(i);
 			const float reach = (covered.y - covered.x) * step;
 			const glm::vec2 edge = edge_between(layer, way - reach, way + reach);
-			CardStrip::Row row = row_at(along_of(way));
-			const PartAxes axes = axes_at(along_of(way));
-			const float half = layer.box.half * across * std::min(larger, MAX_WIDER);
+			const float along = along_of(way) * longer;
+			CardStrip::Row row = row_at(along);
+			const PartAxes axes = axes_at(along);
+			const float half = layer.box.half * across * wider;
 			row.left = axes.x * (edge.x * half);
 			row.right = axes.x * (edge.y * half);
 			row.normal = is_flat ? axes.outward * -1.0f : axes.along;

@@ -52,6 +52,13 @@ static constexpr float MAX_COARSENING = 64.0f;
 static constexpr float COARSENED_AT = 10.0f; // m.
 static constexpr float COARSENING_POWER = 0.85f; // Below 1: distances keep a part of their ratios and do not meet.
 
+// Triangles of the plants of one species around a camera at one level. Plants beside and behind the camera are drawn,
+// too, because their tops can lean into view.
+static constexpr float MAX_TRIANGLES_AROUND = 0.33e6f;
+static constexpr int MIN_SEGMENTS_AROUND = 5; // Levels with fewer begin where their error demands it.
+static constexpr float AROUND_END = 5.0f; // m: farther plants are mostly drawn in view.
+static constexpr float DRAWN_BEYOND = 0.3f; // m: NearPlants draws plants before the level begins.
+
 // Distances (m) at which levels of plants without parts begin, by segments.
 static float lathe_begin(int segments) {
 	return segments > 12 ? 0.0f : segments >= 8 ? 6.0f : segments >= 5 ? 14.0f : segments >= 3 ? 28.0f : 50.0f;
@@ -92,6 +99,24 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 		begins[size_t(best - style.errors.begin())] = 0.0f;
 	}
 	return begins;
+}
+
+// Lowers the begins of levels after those with too many triangles around a camera.
+static void limit_around(const FieldRenderSetup &setup, const SpeciesStyle &style, std::vector<float> &begins) {
+	for (size_t i = 0; i + 1 < begins.size() && style.density > 0.0f && !style.errors.empty(); i++) {
+		if (setup.levels[i + 1].lod < MIN_SEGMENTS_AROUND) {
+			break;
+		}
+		const float triangles = TRIANGLES_OF_VERTEX * float(vertex_budget(style.segments_at(setup.levels[i])));
+		const float area = MAX_TRIANGLES_AROUND / (triangles * style.density);
+		const float end = std::sqrt(area / float(PI)) - DRAWN_BEYOND;
+		if (end < AROUND_END) {
+			begins[i + 1] = std::max(std::min(begins[i + 1], end), 0.0f);
+		}
+	}
+	for (size_t i = begins.size() - 1; i-- > 0;) {
+		begins[i] = std::min(begins[i], begins[i + 1]);
+	}
 }
 
 // A level that begins later than at this share of its end is not used.
@@ -173,10 +198,16 @@ static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<
 	}
 }
 
-static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyle &style, float coarser) {
+// `is_limited`: with limit_around().
+static std::vector<FieldLevel> fitted(
+		const FieldRenderSetup &setup, SpeciesStyle &style, float coarser, bool is_limited = false) {
 	const LevelRule &rule = setup.rule;
 	std::vector<FieldLevel> levels = setup.levels;
-	set_distances(rule, style, begins_of(setup, style, coarser), levels);
+	std::vector<float> begins = begins_of(setup, style, coarser);
+	if (is_limited) {
+		limit_around(setup, style, begins);
+	}
+	set_distances(rule, style, begins, levels);
 	if (!style.errors.empty()) {
 		set_near(rule, style, levels);
 		set_casters(rule, style, levels);
@@ -219,7 +250,7 @@ static float coarsening_for(const FieldRenderSetup &setup, SpeciesStyle &style, 
 }
 
 void fit_levels(const FieldRenderSetup &setup, SpeciesStyle &style) {
-	style.levels = setup.rule.is_by_error ? fitted(setup, style, 1.0f) : setup.levels;
+	style.levels = setup.rule.is_by_error ? fitted(setup, style, 1.0f, true) : setup.levels;
 }
 
 // Divides the triangles by the square root of the densities. What a species does not need is left for those that need
@@ -234,7 +265,8 @@ void fit_levels(FieldRenderSetup &setup) {
 	for (SpeciesStyle &style : setup.styles) {
 		fit_levels(setup, style);
 		if (setup.rule.is_by_error && !style.errors.empty() && style.density > 0.0f) {
-			shares.push_back({ &style, triangles_in_view(setup, style, style.levels), std::sqrt(style.density) });
+			const std::vector<FieldLevel> levels = fitted(setup, style, 1.0f);
+			shares.push_back({ &style, triangles_in_view(setup, style, levels), std::sqrt(style.density) });
 			weights += shares.back().weight;
 		}
 	}
@@ -245,7 +277,8 @@ void fit_levels(FieldRenderSetup &setup) {
 	for (const Share &share : shares) {
 		const float max = left * share.weight / weights;
 		if (share.need > max) {
-			share.style->levels = fitted(setup, *share.style, coarsening_for(setup, *share.style, max));
+			const float coarser = coarsening_for(setup, *share.style, max);
+			share.style->levels = fitted(setup, *share.style, coarser, true);
 		}
 		left -= std::min(share.need, max);
 		weights -= share.weight;
