@@ -1,0 +1,154 @@
+#include "model_fixture.hpp"
+#include "motion/part_bend.hpp"
+#include "stem/stem_recipe.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace undergrowth;
+
+TEST_CASE("model: the stem of a plant bends along its height and its base is still") {
+	const MadeSurface made = leafy_stem();
+	const ModelMotion motion = motion_of({ made.surface() });
+	CHECK(motion.roots == 1);
+	CHECK(motion.leaves == 8);
+	CHECK(motion.twigs == 0);
+	for (int i = 0; i < 6 * 5 * 4; i++) {
+		const glm::vec3 &place = motion.vertices.places[size_t(i)];
+		CHECK(motion.vertices.custom0[size_t(i)].x == doctest::Approx(place.y / 0.8f).epsilon(0.02));
+		CHECK(motion.vertices.custom0[size_t(i)].y == 0.0f);
+	}
+}
+
+TEST_CASE("model: loose islands are leaves with a pivot at the stem and a weight that grows to the tip") {
+	const MadeSurface made = leafy_stem();
+	const ModelMotion motion = motion_of({ made.surface() });
+	for (size_t first = 6 * 5 * 4; first < motion.vertices.places.size(); first += 4) {
+		const glm::vec3 pivot(motion.vertices.custom1[first]);
+		CHECK(glm::length(glm::vec2(pivot.x, pivot.z)) < 0.03f);
+		CHECK(motion.vertices.custom0[first].y < 0.1f);
+		CHECK(std::max(motion.vertices.custom0[first + 2].y, motion.vertices.custom0[first + 3].y) ==
+				doctest::Approx(1.0f));
+		for (size_t i = first; i < first + 4; i++) {
+			CHECK(motion.vertices.custom0[i].x == motion.vertices.custom0[first].x);
+			CHECK(motion.vertices.custom0[i].x == doctest::Approx(pivot.y / 0.8f).epsilon(0.03));
+		}
+	}
+}
+
+TEST_CASE("model: leaves lag behind a stem that moves") {
+	const MadeSurface made = leafy_stem();
+	const ModelMotion motion = motion_of({ made.surface() });
+	const glm::vec4 code = motion.vertices.custom1.back();
+	const PartMotion swing = decode_part_motion({ code.w, motion.vertices.custom2.back().w });
+	StemMotion stem;
+	stem.rate = { 1.0f, 0.0f };
+	CHECK(part_bend(swing, stem).x < -0.01f);
+}
+
+TEST_CASE("model: leaves on a twig move with the twig, and the twig with its place on the stem") {
+	MadeSurface made;
+	made.stem(1.0f, 0.02f);
+	const int of_stem = int(made.positions.size());
+	made.leaf({ 0.02f, 0.5f, 0.0f }, { 0.4f, 0.1f, 0.0f }, 0.02f);
+	for (int i = 0; i < 4; i++) {
+		made.leaf({ 0.12f + 0.08f * float(i), 0.52f + 0.02f * float(i), 0.012f }, { 0.0f, 0.02f, 0.1f }, 0.03f);
+	}
+	const ModelMotion motion = motion_of({ made.surface() });
+	CHECK(motion.twigs == 1);
+	CHECK(motion.leaves == 4);
+	for (size_t i = size_t(of_stem); i < motion.vertices.places.size(); i++) {
+		CHECK(motion.vertices.custom0[i].x == doctest::Approx(0.5f).epsilon(0.03));
+	}
+	CHECK(motion.vertices.custom0[size_t(of_stem) + 2].y == 0.0f);
+}
+
+TEST_CASE("model: petals around the tip of a stem are one head that turns as a whole") {
+	MadeSurface made;
+	made.stem(0.5f, 0.004f);
+	for (int i = 0; i < 6; i++) {
+		const float turn = 1.0472f * float(i);
+		const glm::vec3 side(std::cos(turn), 0.0f, std::sin(turn));
+		made.leaf(glm::vec3(0.0f, 0.5f, 0.0f) + 0.004f * side, 0.04f * side, 0.02f);
+	}
+	const ModelMotion motion = motion_of({ made.surface() });
+	CHECK(motion.heads == 1);
+	CHECK(motion.leaves == 0);
+	const glm::vec4 last = motion.vertices.custom1.back();
+	CHECK(last.y == doctest::Approx(0.5f));
+	CHECK(motion.vertices.custom0.back().y == 1.0f);
+	CHECK(motion.bones.names().front() == "head_1");
+}
+
+TEST_CASE("model: blades of a tuft bend by their own height and swing to their own side") {
+	MadeSurface made;
+	for (int i = 0; i < 9; i++) {
+		const float turn = 0.7f * float(i);
+		const glm::vec3 side(std::cos(turn), 0.0f, std::sin(turn));
+		made.leaf(0.03f * side, 0.3f * glm::normalize(0.5f * side + glm::vec3(0.0f, 1.0f, 0.0f)), 0.01f);
+	}
+	const ModelMotion motion = motion_of({ made.surface() });
+	CHECK(motion.roots == 9);
+	CHECK(motion.leaves == 9);
+	for (size_t i = 0; i < motion.vertices.places.size(); i++) {
+		const float height = motion.vertices.places[i].y;
+		CHECK(motion.vertices.custom0[i].x == doctest::Approx(height / 0.268f).epsilon(0.02));
+	}
+}
+
+TEST_CASE("model: a surface with a cut-out material is apart from the stem that it touches") {
+	MadeSurface trunk, crown;
+	trunk.stem(1.0f, 0.03f);
+	crown.is_foliage = true;
+	for (int i = 0; i < 20; i++) {
+		const float turn = 2.4f * float(i);
+		const glm::vec3 side(std::cos(turn), 0.0f, std::sin(turn));
+		crown.leaf(0.03f * side + glm::vec3(0.0f, 0.4f + 0.03f * float(i), 0.0f), 0.3f * side, 0.2f);
+	}
+	const ModelMotion motion = motion_of({ trunk.surface(), crown.surface() });
+	CHECK(motion.roots == 1);
+	CHECK(motion.leaves == 20);
+	CHECK(motion.vertices.custom0.front().w == 0.0f);
+	CHECK(motion.vertices.custom0.back().w == 1.0f);
+}
+
+TEST_CASE("model: many leaves share bones, and all weights sum to 1") {
+	MadeSurface made;
+	made.stem(1.0f, 0.02f);
+	for (int i = 0; i < 300; i++) {
+		const float turn = 2.4f * float(i);
+		const glm::vec3 side(std::cos(turn), 0.0f, std::sin(turn));
+		made.leaf(0.02f * side + glm::vec3(0.0f, 0.1f + 0.003f * float(i), 0.0f), 0.1f * side, 0.02f);
+	}
+	const ModelMotion motion = motion_of({ made.surface() });
+	CHECK(motion.bones.bones().size() <= size_t(FormBones::MAX_BONES - FormBones::FIRST));
+	for (size_t i = 0; i < motion.vertices.places.size(); i++) {
+		int32_t bones[4];
+		float weights[4];
+		motion.bones.bind(motion.vertices.swingers[i], motion.vertices.custom0[i].x, motion.vertices.custom0[i].y,
+				bones, weights);
+		CHECK(weights[0] + weights[1] + weights[2] + weights[3] == 1.0f);
+	}
+}
+
+TEST_CASE("model: the beam of a model has a solution") {
+	const MadeSurface made = leafy_stem();
+	StemRecipe recipe;
+	recipe.beam = motion_of({ made.surface() }).beam;
+	CHECK(recipe.beam.diameter == doctest::Approx(0.02f).epsilon(0.1));
+	CHECK(recipe.beam.loads.size() > 2);
+	recipe.beam.natural_frequency = 1.0f;
+	recipe.wind_weight = -1.0f;
+	recipe.own_length = recipe.beam.length;
+	CHECK(solve_recipe(recipe).fault == StemFault::none);
+}
+
+TEST_CASE("model: a single body without loose parts bends as one") {
+	MadeSurface made;
+	made.stem(0.6f, 0.1f, glm::vec3(0.0f), 12, 8);
+	const ModelMotion motion = motion_of({ made.surface() });
+	CHECK(motion.roots == 1);
+	CHECK(motion.leaves + motion.heads + motion.twigs == 0);
+	CHECK(motion.bones.bones().empty());
+}
