@@ -107,7 +107,7 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	server->instance_set_transform(batch.instance, place_of(batch));
 	server->instance_set_visible(batch.instance, false);
 	server->instance_geometry_set_material_override(
-			batch.instance, style.materials[size_t(plan.place.level)]->get_rid());
+			batch.instance, style.override_for(size_t(plan.place.level)));
 	if (level.casts_for_finer) {
 		batch.shadow = server->instance_create2(batch.multimesh, world);
 		server->instance_attach_object_instance_id(batch.shadow, owner);
@@ -335,7 +335,7 @@ void FieldView::set_materials(const FieldRenderSetup &setup) {
 void FieldView::set_material(
 		RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch) {
 	const SpeciesStyle &style = setup.styles[size_t(batch.species)];
-	server->instance_geometry_set_material_override(batch.instance, style.materials[size_t(place.level)]->get_rid());
+	server->instance_geometry_set_material_override(batch.instance, style.override_for(size_t(place.level)));
 	if (batch.shadow.is_valid()) {
 		server->instance_geometry_set_material_override(batch.shadow, style.materials[style.levels.size()]->get_rid());
 	}
