@@ -3,10 +3,15 @@
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace undergrowth {
@@ -15,15 +20,48 @@ namespace {
 
 constexpr int BANDS = 4; // Of shared bones along the height.
 constexpr int SECTORS = 7;
+constexpr float FAR = 2.0f; // Per length: parts this far from the pivot of their bone swing by half.
+constexpr float BASE = 0.06f; // Offset on the stem below which vertices are held.
 constexpr size_t MAX = FormBones::MAX_BONES - FormBones::FIRST;
 
-PartBone bone_of(const ModelPart &part, float height) {
+/// Parts with one swing on a skeleton.
+struct Group {
+	const ModelPart *part; // The largest one.
+	float area; // m², of that part.
+};
+
+PartBone bone_of(const ModelPart &part, float height, float weight) {
 	PartBone bone;
 	bone.origin = bone.pivot = part.pivot;
-	bone.stem_offset = part.stem_offset_of(part.swings ? part.tip : part.pivot, height);
-	bone.weight = 1.0f;
+	bone.stem_offset = part.stem_offset_of(part.swings ? glm::mix(part.pivot, part.tip, weight) : part.pivot, height);
+	bone.weight = weight;
 	bone.swing = part.swing;
 	return bone;
+}
+
+// Two bones for each part, if there are enough: its middle then bends less than its tip.
+FormBones bones_of(const std::vector<Group> &groups, float height) {
+	const bool are_pairs = 2 * groups.size() <= MAX;
+	std::vector<PartBone> bones;
+	std::vector<std::string> names;
+	std::vector<int> first_bones;
+	int leaves = 0, heads = 0;
+	for (const Group &group : groups) {
+		const bool is_head = group.part->swing.is_head();
+		const std::string name = is_head ? "head_" + std::to_string(++heads) : "leaf_" + std::to_string(++leaves);
+		const int first = static_cast<int>(bones.size());
+		const bool is_pair = are_pairs && !is_head;
+		first_bones.push_back(first);
+		bones.push_back(bone_of(*group.part, height, is_pair ? 0.5f : 1.0f));
+		names.push_back(name);
+		if (is_pair) {
+			bones.push_back(bone_of(*group.part, height, 1.0f));
+			bones.back().origin = glm::mix(group.part->pivot, group.part->tip, 0.5f);
+			bones.back().outer_of = first;
+			names.push_back(name + "_outer");
+		}
+	}
+	return FormBones(std::move(bones), std::move(names), std::move(first_bones));
 }
 
 // Parts of a head have one place, so that they share a bone.
@@ -39,45 +77,61 @@ std::pair<int, int> place_of(const ModelPart &part, float height) {
 
 } // namespace
 
-FormBones make_model_bones(
-		const std::vector<ModelPart> &parts, const ModelIslands &islands, float height, std::vector<int> &swingers) {
-	std::vector<bool> is_swinger(parts.size(), false);
+FormBones make_model_bones(const std::vector<ModelPart> &parts, const ModelIslands &islands, float height,
+		std::vector<ModelSwinger> &swingers) {
+	std::set<int> different;
 	for (const ModelPart &part : parts) {
-		if (part.swinger >= 0) {
-			is_swinger[static_cast<size_t>(part.swinger)] = true;
-		}
+		different.insert(part.swinger);
 	}
-	const bool are_shared = static_cast<size_t>(std::count(is_swinger.begin(), is_swinger.end(), true)) > MAX;
-	std::vector<PartBone> bones;
-	std::vector<float> sizes;
+	different.erase(-1);
+	const bool are_shared = different.size() > MAX;
+	std::vector<Group> groups;
 	std::map<std::pair<int, int>, int> known;
-	swingers.assign(parts.size(), -1);
+	swingers.assign(parts.size(), ModelSwinger());
 	for (size_t i = 0; i < parts.size(); i++) {
-		if (parts[i].swinger < 0) {
-			continue;
-		}
 		const std::pair<int, int> own(parts[i].swinger, -1);
 		const std::pair<int, int> place = are_shared ? place_of(parts[i], height) : own;
-		if (bones.size() == MAX && known.count(place) == 0) {
+		if (parts[i].swinger < 0 || (groups.size() == MAX && known.count(place) == 0)) {
 			continue;
 		}
-		const auto [entry, is_new] = known.emplace(place, static_cast<int>(bones.size()));
-		swingers[i] = entry->second;
+		const auto [entry, is_new] = known.emplace(place, static_cast<int>(groups.size()));
+		const float area = islands.islands[i].area;
+		swingers[i].number = entry->second;
 		if (is_new) {
-			bones.push_back(bone_of(parts[i], height));
-			sizes.push_back(islands.islands[i].area);
-		} else if (are_shared && islands.islands[i].area > sizes[static_cast<size_t>(entry->second)]) {
-			bones[static_cast<size_t>(entry->second)] = bone_of(parts[i], height); // That of the largest part.
-			sizes[static_cast<size_t>(entry->second)] = islands.islands[i].area;
+			groups.push_back({ &parts[i], area });
+		} else if (area > groups[static_cast<size_t>(entry->second)].area) {
+			groups[static_cast<size_t>(entry->second)] = { &parts[i], area };
 		}
 	}
-	std::vector<std::string> names;
-	int leaves = 0, heads = 0;
-	for (const PartBone &bone : bones) {
-		const bool is_head = bone.swing.is_head();
-		names.push_back((is_head ? "head_" : "leaf_") + std::to_string(is_head ? ++heads : ++leaves));
+	for (size_t i = 0; i < parts.size(); i++) {
+		if (swingers[i].number >= 0) {
+			const float away = glm::distance(parts[i].pivot, groups[static_cast<size_t>(swingers[i].number)].part->pivot);
+			const float arm = FAR * away / std::max(parts[i].length(), 1e-6f);
+			swingers[i].share = 1.0f / (1.0f + arm * arm);
+		}
 	}
-	return FormBones(std::move(bones), std::move(names));
+	return bones_of(groups, height);
+}
+
+void hold_base(int vertices, const float *places, int32_t *bones, float *weights) {
+	for (int i = 0; i < vertices; i++) {
+		if (places[i] >= BASE) {
+			continue;
+		}
+		int32_t *const own = bones + 4 * i;
+		float *const shares = weights + 4 * i;
+		int slot = static_cast<int>(std::find(own, own + 4, static_cast<int32_t>(FormBones::ROOT)) - own);
+		slot = slot < 4 ? slot : static_cast<int>(std::min_element(shares, shares + 4) - shares);
+		float moved = 0.0f;
+		for (int k = 0; k < 4; k++) {
+			if (k != slot) {
+				shares[k] *= std::max(places[i], 0.0f) / BASE;
+				moved += shares[k];
+			}
+		}
+		own[slot] = FormBones::ROOT;
+		shares[slot] = 1.0f - moved;
+	}
 }
 
 } // namespace undergrowth

@@ -129,9 +129,10 @@ UpAxis find_up_by_base(const std::vector<ModelSurface> &surfaces) {
 			}
 		}
 	}
+	const glm::vec3 extent = box_of(surfaces, glm::mat3(1.0f)).extent();
 	const float of_y = narrowness(surfaces, UpAxis::plus_y);
 	const float of_z = narrowness(surfaces, UpAxis::plus_z);
-	return of_z < MUCH_NARROWER * of_y ? UpAxis::plus_z : UpAxis::plus_y;
+	return extent.z > extent.y && of_z < MUCH_NARROWER * of_y ? UpAxis::plus_z : UpAxis::plus_y;
 }
 
 UpAxis find_up(const std::vector<ModelSurface> &surfaces) {

@@ -30,7 +30,7 @@ void place_vertices(const std::vector<ModelSurface> &surfaces, const ModelFrame 
 	}
 }
 
-void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &parts, const std::vector<int> &swingers,
+void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &parts, const std::vector<ModelSwinger> &swingers,
 		const std::vector<ModelSurface> &surfaces, float height, ModelVertices &vertices) {
 	const size_t count = vertices.places.size();
 	vertices.custom0.resize(count);
@@ -38,6 +38,7 @@ void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &p
 	vertices.custom2.resize(count);
 	vertices.stem_places.resize(count);
 	vertices.swingers.assign(count, -1);
+	vertices.bone_weights.assign(count, 0.0f);
 	const ModelPart unused = {};
 	size_t vertex = 0;
 	for (const ModelSurface &surface : surfaces) {
@@ -48,11 +49,15 @@ void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &p
 			const glm::vec3 &place = vertices.places[vertex];
 			const float offset = part.stem_offset_of(place, height);
 			const glm::vec3 aside = island < 0 ? glm::vec3(0.0f) : place - part.midrib_at(place);
-			vertices.custom0[vertex] = { offset, part.weight_of(place), 0.0f, leafiness };
+			vertices.custom0[vertex] = { offset, part.weight_of(place, height), 0.0f, leafiness };
 			vertices.custom1[vertex] = glm::vec4(part.pivot, part.code.pace);
 			vertices.custom2[vertex] = glm::vec4(aside, part.code.place);
 			vertices.stem_places[vertex] = offset;
-			vertices.swingers[vertex] = island < 0 ? -1 : swingers[static_cast<size_t>(island)];
+			if (island >= 0) {
+				const ModelSwinger &swinger = swingers[static_cast<size_t>(island)];
+				vertices.swingers[vertex] = swinger.number;
+				vertices.bone_weights[vertex] = swinger.share * vertices.custom0[vertex].y;
+			}
 		}
 	}
 }
@@ -116,7 +121,7 @@ ModelMotion find_model_motion(const std::vector<ModelSurface> &surfaces, const M
 	place_vertices(surfaces, frame, motion.vertices);
 	const ModelIslands islands = find_islands(surfaces, motion.vertices.places);
 	const std::vector<ModelPart> parts = attach_islands(surfaces, motion.vertices.places, islands, frame.height);
-	std::vector<int> swingers;
+	std::vector<ModelSwinger> swingers;
 	motion.bones = make_model_bones(parts, islands, frame.height, swingers);
 	write_vertices(islands, parts, swingers, surfaces, frame.height, motion.vertices);
 	measure_stem(islands, parts, frame.height, motion.beam);

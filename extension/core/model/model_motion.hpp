@@ -15,6 +15,7 @@ struct ModelVertices {
 	std::vector<glm::vec4> custom0, custom1, custom2;
 	std::vector<float> stem_places;
 	std::vector<int> swingers; ///< For ModelMotion::bones; -1: none.
+	std::vector<float> bone_weights; ///< Own weights on a skeleton: less than CUSTOM0.y if parts share bones.
 };
 
 /// What was found in a model.

@@ -5,6 +5,8 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,10 @@ constexpr float HEAD_FROM = 0.9f; // Of the height of its stem.
 constexpr float HEAD_STEM = 0.4f; // Of the height: the shortest stem with a head.
 constexpr float HEAD_SIZE = 0.35f; // Of the height.
 constexpr int MAX_SAMPLES = 16; // Vertices of an island from which the nearest carrier is searched.
-constexpr float BASE_OF_PART = 0.12f; // Of the size of a part: vertices this near to its attachment are its base.
+constexpr float BASE_OF_PART = 0.12f; // Of the length of a part: vertices this near to its end are its base.
+constexpr float MAX_ASIDE = 0.4f; // Of the size of a part: how far its base is from the vertex nearest to its carrier.
+constexpr int GRAIN_STEPS = 16;
+constexpr float STILL = 0.1f; // Of the height: below it a root swings less.
 constexpr float LEANING = 0.08f; // Of the length: a part that leans less has no side of its own.
 constexpr float BESIDE = 0.02f; // Of the height: a part this far from the middle hangs on a side.
 constexpr float DAMPING = 0.12f;
@@ -58,6 +63,8 @@ struct Finder {
 	float attach(size_t number, const CarrierPoints &points, const std::vector<bool> &is_open, bool is_final);
 	void attach_twigs(const CarrierPoints &points, std::vector<bool> twigs, std::vector<bool> &is_open);
 	void attach_all();
+	glm::vec3 grain_of(const ModelIsland &of, const glm::vec3 &middle) const;
+	glm::vec3 base_of(const ModelIsland &of, const glm::vec3 &nearest) const;
 	void set_tip(size_t number);
 	bool set_side(size_t number);
 	void set_swing(ModelPart &part, float length) const;
@@ -139,6 +146,44 @@ std::vector<bool> Finder::possible_twigs() const {
 	return twigs;
 }
 
+// The longest direction of an island: that of the largest variance, by power iteration.
+glm::vec3 Finder::grain_of(const ModelIsland &of, const glm::vec3 &middle) const {
+	glm::mat3 variances(0.0f);
+	for (int i = 0; i < of.count; i++) {
+		const glm::vec3 aside = place(of, i) - middle;
+		variances += glm::outerProduct(aside, aside);
+	}
+	glm::vec3 grain = of.greatest - of.least;
+	for (int i = 0; i < GRAIN_STEPS && glm::dot(grain, grain) > 0.0f; i++) {
+		grain = variances * glm::normalize(grain);
+	}
+	return glm::dot(grain, grain) > 0.0f ? glm::normalize(grain) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+// The middle of the end at which an island is attached. Most leaves and cards are longer than wide.
+glm::vec3 Finder::base_of(const ModelIsland &of, const glm::vec3 &nearest) const {
+	glm::vec3 middle(0.0f);
+	for (int i = 0; i < of.count; i++) {
+		middle += place(of, i) / static_cast<float>(of.count);
+	}
+	const glm::vec3 grain = grain_of(of, middle);
+	const float side = glm::dot(nearest - middle, grain) < 0.0f ? -1.0f : 1.0f;
+	float end = 0.0f;
+	for (int i = 0; i < of.count; i++) {
+		end = std::max(end, side * glm::dot(place(of, i) - middle, grain));
+	}
+	glm::vec3 sum(0.0f);
+	int count = 0;
+	for (int i = 0; i < of.count; i++) {
+		if (side * glm::dot(place(of, i) - middle, grain) >= (1.0f - 2.0f * BASE_OF_PART) * end) {
+			sum += place(of, i);
+			count++;
+		}
+	}
+	const glm::vec3 base = count > 0 ? sum / static_cast<float>(count) : nearest;
+	return glm::distance(base, nearest) < MAX_ASIDE * size_of(of) ? base : nearest;
+}
+
 // Returns the distance (m) to the nearest open carrier. `is_final`: attaches the island there.
 float Finder::attach(size_t number, const CarrierPoints &points, const std::vector<bool> &is_open, bool is_final) {
 	const ModelIsland &of = island(number);
@@ -155,16 +200,7 @@ float Finder::attach(size_t number, const CarrierPoints &points, const std::vect
 	if (is_final) {
 		ModelPart &part = parts[number];
 		carriers[number] = best.island;
-		const float within = BASE_OF_PART * size_of(of);
-		glm::vec3 sum(0.0f);
-		int count = 0;
-		for (int i = 0; i < of.count; i++) {
-			if (glm::distance(place(of, i), nearest) <= within) {
-				sum += place(of, i);
-				count++;
-			}
-		}
-		part.pivot = count > 0 ? sum / static_cast<float>(count) : nearest;
+		part.pivot = base_of(of, nearest);
 		const bool is_on_root = best.island < 0 || parts[static_cast<size_t>(best.island)].is_root;
 		part.stem_offset = is_on_root ? std::clamp(part.pivot.y / height, 0.0f, 1.0f)
 									  : parts[static_cast<size_t>(best.island)].stem_offset;
@@ -223,15 +259,17 @@ void Finder::set_tip(size_t number) {
 		part.pivot = part.midrib.middles[0];
 		part.pivot.y = part.midrib.least;
 	}
-	part.tip = part.pivot;
-	float farthest = 0.0f;
+	glm::vec3 middle(0.0f);
 	for (int i = 0; i < of.count; i++) {
-		const float away = glm::distance(place(of, i), part.pivot);
-		if (away > farthest) {
-			farthest = away;
-			part.tip = place(of, i);
-		}
+		middle += place(of, i) / static_cast<float>(of.count);
 	}
+	const glm::vec3 way = middle - part.pivot;
+	const float length = glm::length(way);
+	float farthest = 0.0f;
+	for (int i = 0; i < of.count && length > 0.0f; i++) {
+		farthest = std::max(farthest, glm::dot(place(of, i) - part.pivot, way) / length);
+	}
+	part.tip = length > 0.0f ? part.pivot + way * (farthest / length) : part.pivot;
 }
 
 // Returns false for a part in the middle that does not lean.
@@ -326,6 +364,11 @@ float ModelPart::offset_of(const glm::vec3 &place) const {
 	const glm::vec3 way = tip - pivot;
 	const float square = glm::dot(way, way);
 	return square > 0.0f ? std::clamp(glm::dot(place - pivot, way) / square, 0.0f, 1.0f) : 0.0f;
+}
+
+float ModelPart::weight_of(const glm::vec3 &place, float height) const {
+	const float still = is_root ? std::clamp(place.y / (STILL * height), 0.0f, 1.0f) : 1.0f;
+	return swings ? offset_of(place) * still : weight;
 }
 
 float ModelPart::stem_offset_of(const glm::vec3 &place, float height) const {

@@ -27,7 +27,7 @@ struct ModelPart {
 	float weight = 0.0f; ///< Own weight of all its vertices, if it does not swing: 1 in a head, 0 for a twig.
 	int swinger = -1; ///< Island whose swing it has: its own, that of the first part of its head, or -1.
 	glm::vec3 pivot = glm::vec3(0.0f); ///< m.
-	glm::vec3 tip = glm::vec3(0.0f); ///< m: its vertex farthest from the pivot.
+	glm::vec3 tip = glm::vec3(0.0f); ///< m: its end, on the line from the pivot through its middle.
 	PartMotion swing;
 	PartMotionCode code;
 	ModelMidrib midrib; ///< Of a root.
@@ -35,7 +35,7 @@ struct ModelPart {
 	float length() const;
 	/// Place of a vertex between pivot (0) and tip (1).
 	float offset_of(const glm::vec3 &place) const;
-	float weight_of(const glm::vec3 &place) const { return swings ? offset_of(place) : weight; }
+	float weight_of(const glm::vec3 &place, float height) const;
 	float stem_offset_of(const glm::vec3 &place, float height) const;
 	glm::vec3 midrib_at(const glm::vec3 &place) const;
 };

@@ -11,6 +11,7 @@
 #include <godot_cpp/classes/shader_material.hpp>
 
 #include <algorithm>
+#include <utility>
 
 using namespace godot;
 
@@ -78,6 +79,15 @@ static void transform(const Transform3D &by, Array &arrays) {
 	}
 }
 
+// A mirrored node draws its triangles the other way round.
+static PackedInt32Array reversed(PackedInt32Array indices) {
+	int32_t *to = indices.ptrw();
+	for (int64_t i = 0; i + 2 < indices.size(); i += 3) {
+		std::swap(to[i + 1], to[i + 2]);
+	}
+	return indices;
+}
+
 static int64_t index_count(const Array &arrays) {
 	return arrays[Mesh::ARRAY_INDEX].get_type() == Variant::PACKED_INT32_ARRAY
 			? PackedInt32Array(arrays[Mesh::ARRAY_INDEX]).size()
@@ -141,6 +151,12 @@ static void read_mesh(const Found &found, FileModel &model) {
 		transform(found.place, surface.arrays);
 		for (int lod = 0; lod < mesh->get_surface_lod_count(i); lod++) {
 			surface.lods.push_back(mesh->get_surface_lod_indices(i, lod));
+		}
+		if (found.place.basis.determinant() < 0.0f) {
+			surface.arrays[Mesh::ARRAY_INDEX] = reversed(surface.arrays[Mesh::ARRAY_INDEX]);
+			for (PackedInt32Array &lod : surface.lods) {
+				lod = reversed(lod);
+			}
 		}
 		surface.material = material_of(found, mesh, i);
 		surface.is_foliage = is_foliage(surface.material) || names_leaves(mesh->get_surface_name(i)) ||

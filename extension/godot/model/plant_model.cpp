@@ -2,6 +2,7 @@
 
 #include "base/convert.hpp"
 #include "mesh/joint_binding.hpp"
+#include "model/model_bones.hpp"
 #include "species/sampled_plant.hpp"
 
 #include <algorithm>
@@ -123,10 +124,9 @@ void PlantModel::add_level(const std::vector<FileSurface> &surfaces, ModelMotion
 			const float values[4] = { frame.height, found.stem_places[first + i], place.x, place.z };
 			std::copy(values, values + 4, customs + 4 * i);
 			places[i] = found.stem_places[first + i];
-			const glm::vec4 &custom0 = found.custom0[first + i];
 			// Skeletons show the finest level only.
-			all_bones.bind(motions.empty() ? found.swingers[first + i] : -1, custom0.x, custom0.y, bones + 4 * i,
-					weights + 4 * i);
+			all_bones.bind(motions.empty() ? found.swingers[first + i] : -1, found.custom0[first + i].x,
+					found.bone_weights[first + i], bones + 4 * i, weights + 4 * i);
 		}
 		drawn.push_back({ int(all.size()), surface.arrays[Mesh::ARRAY_INDEX] });
 		all.push_back(std::move(own));
@@ -255,6 +255,7 @@ MeshArrays PlantModel::build(const SampledPlant &sampled) const {
 		if (sampled.stem) {
 			bind_to_joints(sampled.stem->joints, int(positions.size()), own.stem_places.ptr(), bones.ptrw(),
 					weights.ptrw());
+			hold_base(int(positions.size()), own.stem_places.ptr(), bones.ptrw(), weights.ptrw());
 		}
 		surface.arrays[Mesh::ARRAY_VERTEX] = positions;
 		surface.arrays[Mesh::ARRAY_INDEX] = one.indices;

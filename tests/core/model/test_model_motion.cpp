@@ -126,7 +126,7 @@ TEST_CASE("model: many leaves share bones, and all weights sum to 1") {
 	for (size_t i = 0; i < motion.vertices.places.size(); i++) {
 		int32_t bones[4];
 		float weights[4];
-		motion.bones.bind(motion.vertices.swingers[i], motion.vertices.custom0[i].x, motion.vertices.custom0[i].y,
+		motion.bones.bind(motion.vertices.swingers[i], motion.vertices.custom0[i].x, motion.vertices.bone_weights[i],
 				bones, weights);
 		CHECK(weights[0] + weights[1] + weights[2] + weights[3] == 1.0f);
 	}
