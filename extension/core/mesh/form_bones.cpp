@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace undergrowth {
@@ -52,9 +53,9 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartAttachment> &a
 	add_leaves(form, attachments, std::move(leaves));
 }
 
-FormBones::FormBones(
-		std::vector<PartBone> &&bones, std::vector<std::string> &&names, std::vector<int> &&first_bones) :
-		all(std::move(bones)), all_names(std::move(names)), first_of(std::move(first_bones)) {
+FormBones::FormBones(std::vector<PartBone> &&bones, std::vector<std::string> &&names) :
+		all(std::move(bones)), all_names(std::move(names)), first_of(all.size()) {
+	std::iota(first_of.begin(), first_of.end(), 0);
 }
 
 void FormBones::add_heads(

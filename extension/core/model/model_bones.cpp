@@ -3,7 +3,6 @@
 #include "base/portable_math.hpp"
 #include "conventions.hpp"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -30,38 +29,25 @@ struct Group {
 	float area; // m², of that part.
 };
 
-PartBone bone_of(const ModelPart &part, float height, float weight) {
+PartBone bone_of(const ModelPart &part, float height) {
 	PartBone bone;
 	bone.origin = bone.pivot = part.pivot;
-	bone.stem_offset = part.stem_offset_of(part.swings ? glm::mix(part.pivot, part.tip, weight) : part.pivot, height);
-	bone.weight = weight;
+	bone.stem_offset = part.stem_offset_of(part.swings ? part.tip : part.pivot, height);
+	bone.weight = 1.0f;
 	bone.swing = part.swing;
 	return bone;
 }
 
-// Two bones for each part, if there are enough: its middle then bends less than its tip.
 FormBones bones_of(const std::vector<Group> &groups, float height) {
-	const bool are_pairs = 2 * groups.size() <= MAX;
 	std::vector<PartBone> bones;
 	std::vector<std::string> names;
-	std::vector<int> first_bones;
 	int leaves = 0, heads = 0;
 	for (const Group &group : groups) {
+		bones.push_back(bone_of(*group.part, height));
 		const bool is_head = group.part->swing.is_head();
-		const std::string name = is_head ? "head_" + std::to_string(++heads) : "leaf_" + std::to_string(++leaves);
-		const int first = static_cast<int>(bones.size());
-		const bool is_pair = are_pairs && !is_head;
-		first_bones.push_back(first);
-		bones.push_back(bone_of(*group.part, height, is_pair ? 0.5f : 1.0f));
-		names.push_back(name);
-		if (is_pair) {
-			bones.push_back(bone_of(*group.part, height, 1.0f));
-			bones.back().origin = glm::mix(group.part->pivot, group.part->tip, 0.5f);
-			bones.back().outer_of = first;
-			names.push_back(name + "_outer");
-		}
+		names.push_back(is_head ? "head_" + std::to_string(++heads) : "leaf_" + std::to_string(++leaves));
 	}
-	return FormBones(std::move(bones), std::move(names), std::move(first_bones));
+	return FormBones(std::move(bones), std::move(names));
 }
 
 // Parts of a head have one place, so that they share a bone.

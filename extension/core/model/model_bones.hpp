@@ -11,7 +11,7 @@ struct ModelSwinger {
 	float share = 1.0f; ///< Of its swing: bones of other parts turn it about a pivot that is not its own.
 };
 
-/// Returns bones for the parts that swing. Each gets two or one while there are enough bones; otherwise parts near each
+/// Returns bones for the parts that swing. Each gets one while there are enough bones; otherwise parts near each
 /// other share them. `height`: of the plant (m). `swingers`: gets the bones of each island.
 FormBones make_model_bones(const std::vector<ModelPart> &parts, const ModelIslands &islands, float height,
 		std::vector<ModelSwinger> &swingers);

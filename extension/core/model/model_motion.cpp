@@ -17,7 +17,9 @@ constexpr int BINS = 8; // Along the stem: loads within one bin are combined.
 constexpr float SHEET_MASS = 0.2f; // kg/m², as in mesh/form_stem.cpp.
 constexpr float SHEET_DRAG = 0.7f;
 constexpr float MIN_DIAMETER = 2e-4f; // m.
-constexpr float MAX_DIAMETER = 0.1f; // Of the height: wider bases are tufts of thin stems.
+constexpr float MAX_DIAMETER = 0.1f; // Of the height.
+constexpr float SLENDER = 0.08f; // Mean radius of a stem over the height; wider bodies are tufts and bushes.
+constexpr float UNSEEN = 0.02f; // Of the height: diameter of a stem inside of them.
 constexpr float MAX_TAPER = 0.9f;
 constexpr float MAX_MASS = 1000.0f; // kg: describe(StemFault).
 constexpr float MAX_AREA = 100.0f; // m².
@@ -62,14 +64,28 @@ void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &p
 	}
 }
 
-// The stem is the root with the largest area.
-void measure_stem(const ModelIslands &islands, const std::vector<ModelPart> &parts, float height, StemBeam &beam) {
-	beam.length = height;
+float mean_radius(const ModelMidrib &midrib) {
+	float sum = 0.0f;
+	for (const float radius : midrib.radii) {
+		sum += radius / (ModelMidrib::SLICES + 1);
+	}
+	return sum;
+}
+
+/// Returns the root that is a stem: the one with the largest area, if it is slender. -1: there is none.
+int find_stem(const ModelIslands &islands, const std::vector<ModelPart> &parts, float height) {
 	int stem = -1;
 	for (size_t i = 0; i < parts.size(); i++) {
 		const bool is_larger = stem < 0 || islands.islands[i].area > islands.islands[static_cast<size_t>(stem)].area;
 		stem = parts[i].is_root && is_larger ? static_cast<int>(i) : stem;
 	}
+	const bool is_slender = stem >= 0 && mean_radius(parts[static_cast<size_t>(stem)].midrib) <= SLENDER * height;
+	return is_slender ? stem : -1;
+}
+
+void measure_stem(const std::vector<ModelPart> &parts, int stem, float height, StemBeam &beam) {
+	beam.length = height;
+	beam.diameter = std::max(UNSEEN * height, MIN_DIAMETER);
 	if (stem < 0) {
 		return;
 	}
@@ -80,16 +96,18 @@ void measure_stem(const ModelIslands &islands, const std::vector<ModelPart> &par
 	beam.taper = std::clamp(1.0f - tip / beam.diameter, 0.0f, MAX_TAPER);
 }
 
-void measure_loads(const ModelIslands &islands, const std::vector<ModelPart> &parts, StemBeam &beam) {
+void measure_loads(
+		const ModelIslands &islands, const std::vector<ModelPart> &parts, int stem, float height, StemBeam &beam) {
 	std::array<StemBeam::Load, BINS> bins = {};
 	for (size_t i = 0; i < parts.size(); i++) {
-		if (parts[i].is_root) {
+		if (static_cast<int>(i) == stem) {
 			continue;
 		}
-		const float place = std::clamp(parts[i].stem_offset, 0.0f, 0.999f);
-		StemBeam::Load &bin = bins[static_cast<size_t>(place * BINS)];
-		bin.mass += SHEET_MASS * islands.islands[i].area;
-		bin.drag_area += SHEET_DRAG * 0.5f * islands.islands[i].area; // Sheets of closed bodies have two sides.
+		const ModelIsland &island = islands.islands[i];
+		const float offset = parts[i].is_root ? island.centre().y / height : parts[i].stem_offset;
+		StemBeam::Load &bin = bins[static_cast<size_t>(std::clamp(offset, 0.0f, 0.999f) * BINS)];
+		bin.mass += SHEET_MASS * island.area;
+		bin.drag_area += SHEET_DRAG * 0.5f * island.area; // Sheets of closed bodies have two sides.
 	}
 	for (size_t i = 0; i < BINS; i++) {
 		if (bins[i].mass > 0.0f) {
@@ -124,8 +142,9 @@ ModelMotion find_model_motion(const std::vector<ModelSurface> &surfaces, const M
 	std::vector<ModelSwinger> swingers;
 	motion.bones = make_model_bones(parts, islands, frame.height, swingers);
 	write_vertices(islands, parts, swingers, surfaces, frame.height, motion.vertices);
-	measure_stem(islands, parts, frame.height, motion.beam);
-	measure_loads(islands, parts, motion.beam);
+	const int stem = find_stem(islands, parts, frame.height);
+	measure_stem(parts, stem, frame.height, motion.beam);
+	measure_loads(islands, parts, stem, frame.height, motion.beam);
 	count_parts(parts, motion);
 	return motion;
 }

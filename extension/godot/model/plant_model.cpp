@@ -14,7 +14,7 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int MAX_LODS = 4; // Besides the finest level.
-static constexpr float MAX_SHARE = 0.8f; // Of the triangles of the level before: otherwise a level is not worth it.
+static constexpr float MAX_SHARE = 0.45f; // Of the triangles of the level before.
 // Segments at which a coarser level begins, for the levels of fields (field/view/field_levels.cpp).
 static constexpr int LEVEL_SEGMENTS[] = { 12, 8, 5, 3 };
 static constexpr int64_t CUSTOM_FORMAT = custom_format(0, Mesh::ARRAY_CUSTOM_RGBA_FLOAT) |

@@ -152,3 +152,102 @@ TEST_CASE("model: a single body without loose parts bends as one") {
 	CHECK(motion.leaves + motion.heads + motion.twigs == 0);
 	CHECK(motion.bones.bones().empty());
 }
+
+namespace {
+
+// A vertex as the shader of a field shows it.
+glm::vec3 shown(const ModelVertices &vertices, size_t i, const StemMotion &stem, const PosedStem &posed) {
+	const PartMotion swing = decode_part_motion({ vertices.custom1[i].w, vertices.custom2[i].w });
+	const glm::vec3 pivot(vertices.custom1[i]);
+	glm::vec3 place = vertices.places[i];
+	if (vertices.custom0[i].y > 0.0f) {
+		const glm::vec2 bend = part_bend(swing, stem);
+		place = pivot +
+				(swing.is_head() ? turned(place - pivot, bend) : bent_way(place - pivot, bend, vertices.custom0[i].y));
+	}
+	return posed.place_of(place, vertices.stem_places[i]);
+}
+
+// Largest way of a vertex on the ground, and the sum of all edges over that at rest, in a strong wind.
+void check_shown(const std::vector<ModelSurface> &surfaces) {
+	const ModelMotion motion = motion_of(surfaces);
+	StemRecipe recipe;
+	recipe.beam = motion.beam;
+	recipe.wind_weight = -1.0f;
+	recipe.own_length = recipe.beam.length;
+	const SolvedStem solved = solve_recipe(recipe);
+	REQUIRE(solved.fault == StemFault::none);
+	StemMotion stem;
+	stem.bend = { 0.25f, 0.1f }; // The tip leans by 30 degrees.
+	stem.rate = { 0.5f, -0.3f };
+	stem.air = 8.0f;
+	const PosedStem posed(*solved.in_air, motion.beam.length, stem);
+	float farthest = 0.0f, base = 0.0f, before = 0.0f, after = 0.0f;
+	size_t first = 0;
+	for (const ModelSurface &surface : surfaces) {
+		for (int i = 0; i < surface.index_count; i++) {
+			const size_t from = first + size_t(surface.indices[i]);
+			const size_t to = first + size_t(surface.indices[i % 3 == 2 ? i - 2 : i + 1]);
+			const glm::vec3 place = shown(motion.vertices, from, stem, posed);
+			const float way = glm::distance(place, motion.vertices.places[from]);
+			farthest = std::max(farthest, way);
+			base = motion.vertices.places[from].y <= 0.0f ? std::max(base, way) : base;
+			before += glm::distance(motion.vertices.places[from], motion.vertices.places[to]);
+			after += glm::distance(place, shown(motion.vertices, to, stem, posed));
+		}
+		first += size_t(surface.vertices);
+	}
+	CHECK(farthest > 0.2f * motion.beam.length);
+	CHECK(base < 1e-3f);
+	CHECK(after / before == doctest::Approx(1.0f).epsilon(0.01));
+}
+
+// A blade of many rows that arches outward.
+void add_blade(
+		MadeSurface &made, const glm::vec3 &side, const glm::vec3 &root, float length, float width = 0.012f) {
+	const glm::vec3 across = 0.5f * width * glm::normalize(glm::cross(side, glm::vec3(0.0f, 1.0f, 0.0f)));
+	const auto at = [&](float share) {
+		return root + length * (share * glm::vec3(0.0f, 1.0f, 0.0f) + 0.4f * share * share * side);
+	};
+	for (int row = 0; row < 8; row++) {
+		const glm::vec3 low = at(float(row) / 8.0f);
+		const glm::vec3 high = at(float(row + 1) / 8.0f);
+		made.quad(low - across, low + across, high + across, high - across);
+	}
+}
+
+} // namespace
+
+TEST_CASE("model: plants of a field keep their base and their length in a strong wind") {
+	SUBCASE("a stem with leaves") {
+		const MadeSurface made = leafy_stem();
+		check_shown({ made.surface() });
+	}
+	SUBCASE("a tuft of blades") {
+		MadeSurface made;
+		for (int i = 0; i < 40; i++) {
+			const glm::vec3 side(std::cos(2.4f * float(i)), 0.0f, std::sin(2.4f * float(i)));
+			add_blade(made, side, (0.01f + 0.002f * float(i % 9)) * side, 0.4f);
+		}
+		check_shown({ made.surface() });
+	}
+	SUBCASE("spread cards") {
+		MadeSurface made;
+		made.is_foliage = true;
+		for (int i = 0; i < 12; i++) {
+			const glm::vec3 side(std::cos(2.4f * float(i)), 0.0f, std::sin(2.4f * float(i)));
+			add_blade(made, side, 0.12f * side, 0.35f, 0.2f);
+		}
+		check_shown({ made.surface() });
+	}
+	SUBCASE("a trunk with many cards") {
+		MadeSurface trunk, crown;
+		trunk.stem(2.0f, 0.05f, glm::vec3(0.0f), 12, 8);
+		crown.is_foliage = true;
+		for (int i = 0; i < 500; i++) {
+			const glm::vec3 side(std::cos(2.4f * float(i)), 0.3f, std::sin(2.4f * float(i)));
+			crown.leaf(0.04f * side + glm::vec3(0.0f, 0.7f + 0.0025f * float(i), 0.0f), 0.25f * side, 0.15f);
+		}
+		check_shown({ trunk.surface(), crown.surface() });
+	}
+}
