@@ -26,7 +26,9 @@ static func tuft(count: int, material: Material, rows := 4) -> Maker:
 		var widths: PackedFloat32Array = []
 		for row in rows + 1:
 			var share := float(row) / rows
-			spine.append(side * (0.01 + 0.004 * (i % 5) + 0.12 * share * share) + Maker.UP * 0.4 * share)
+			spine.append(
+				side * (0.01 + 0.004 * (i % 5) + 0.12 * share * share) + Maker.UP * 0.4 * share
+			)
 			widths.append(0.01 * (1.0 - 0.9 * share))
 		maker.sheet(spine, widths, side.cross(Maker.UP))
 	return maker
@@ -61,7 +63,10 @@ static func tree(leaf_count: int, twigs := 0) -> Maker:
 			var twig := i % twigs
 			var along := 2.4 * twig
 			side = Vector3(cos(along), 0.4, sin(along)).normalized()
-			base = Vector3(0, 0.8 + 0.1 * twig, 0) + side * (0.2 + 0.6 * (i / twigs) * twigs / leaf_count)
+			base = (
+				Vector3(0, 0.8 + 0.1 * twig, 0)
+				+ side * (0.2 + 0.6 * (i / twigs) * twigs / leaf_count)
+			)
 			side = side.rotated(Maker.UP, 1.2 if i % 2 == 0 else -1.2)
 		maker.leaf(base, 0.25 * side, 0.15, 2)
 	return maker
@@ -156,7 +161,9 @@ static func _of_kenney() -> Dictionary:
 		"kenney_scaled_node":
 		_gltf(
 			"kenney_scaled",
-			turned(flower(Maker.plain(GREEN)).mesh(), Transform3D(Basis().scaled(100.0 * Vector3.ONE))),
+			turned(
+				flower(Maker.plain(GREEN)).mesh(), Transform3D(Basis().scaled(100.0 * Vector3.ONE))
+			),
 			Transform3D(Basis().scaled(0.01 * Vector3.ONE), Vector3.ZERO)
 		),
 	}
@@ -181,7 +188,9 @@ static func _odd() -> Dictionary:
 		"millimetres":
 		turned(tree(30).mesh(), Transform3D(Basis().scaled(1100.0 * Vector3.ONE), Vector3.ZERO)),
 		"mirrored_node":
-		Maker.scene_of(tree(30).mesh(), Transform3D(Basis().scaled(Vector3(-1, 1, 1)), Vector3.ZERO)),
+		Maker.scene_of(
+			tree(30).mesh(), Transform3D(Basis().scaled(Vector3(-1, 1, 1)), Vector3.ZERO)
+		),
 		"primitive_mesh": cylinder,
 	}
 

@@ -62,7 +62,9 @@ func stem(height: float, radius: float, root := Vector3.ZERO, rows := 8, sides :
 		for side in sides:
 			var corners: Array[Vector3] = []
 			for at: Vector2i in [
-				Vector2i(side, row), Vector2i(side + 1, row), Vector2i(side + 1, row + 1),
+				Vector2i(side, row),
+				Vector2i(side + 1, row),
+				Vector2i(side + 1, row + 1),
 				Vector2i(side, row + 1)
 			]:
 				var turn := TAU * at.x / sides

@@ -7,8 +7,8 @@ const Files := preload("res://tests/engine/model_files.gd")
 const STEP := 1.0 / 60.0
 const MIN_FILES := 20
 const SAMPLES := 3000
-## Linear blend skinning shortens blades. Plants of fields keep their length within 1 %, as the tests
-## of the core show.
+## Linear blend skinning shortens blades. Plants of fields keep their length within 1 %, as tests of
+## the core show.
 const SKINNING_ERROR := 0.05
 
 
@@ -31,10 +31,15 @@ func test_all_files_sway_with_a_still_base() -> void:
 		var farthest := 0.0
 		for i in 120:
 			plant.advance(STEP)
-			farthest = maxf(farthest, plant.get_tip_position().distance_to(Vector3(0, _height(plant), 0)))
+			farthest = maxf(
+				farthest, plant.get_tip_position().distance_to(Vector3(0, _height(plant), 0))
+			)
 		var after := _posed(plant)
 		check(farthest > 0.02 * _height(plant), "%s sways by %.4f m" % [name, farthest])
-		check(_base_moved(before, after) < 1e-3, "%s: the base moves %.5f m" % [name, _base_moved(before, after)])
+		check(
+			_base_moved(before, after) < 1e-3,
+			"%s: the base moves %.5f m" % [name, _base_moved(before, after)]
+		)
 		var kept := _length(after) / _length(before)
 		check_near(kept, 1.0, SKINNING_ERROR, "%s: share of its length" % name)
 		plant.free()
@@ -78,7 +83,9 @@ func test_the_frame_of_a_file_is_found() -> void:
 func test_parts_are_found() -> void:
 	var files := Files.all()
 	var flower := _found(files.blender_flower)
-	check_equal([flower.roots, flower.leaves, flower.heads], [1, 5, 1], "stem, leaves and head of a flower")
+	check_equal(
+		[flower.roots, flower.leaves, flower.heads], [1, 5, 1], "stem, leaves and head of a flower"
+	)
 	check_equal(_found(files.speedtree_two_materials).leaves, 80)
 	check_equal(_found(files.speedtree_twigs).twigs, 8)
 	check_equal(_found(files.kenney_several_nodes).leaves, 3)
@@ -94,7 +101,10 @@ func test_levels_are_those_of_the_file_or_of_the_import() -> void:
 func test_a_mirrored_node_keeps_its_outsides_outside() -> void:
 	var mirrored := MeshPlantFunction.of(Files.all().mirrored_node).generate_mesh(0.0, 12)
 	var own := Files.tree(30).mesh()
-	check(_outward(own) > 0.0 and _outward(mirrored) > 0.0, "normals are on the side of the front faces")
+	check(
+		_outward(own) > 0.0 and _outward(mirrored) > 0.0,
+		"normals are on the side of the front faces"
+	)
 
 
 func test_the_height_and_the_axis_can_be_set() -> void:

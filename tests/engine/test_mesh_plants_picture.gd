@@ -95,7 +95,9 @@ func test_two_fields_of_one_model_are_drawn_alike() -> void:
 	other.add_plants([Transform3D()], species)
 	await frames(4)
 	check(count_different(first, empty_picture()) > MIN_PLANT, "a plant is drawn")
-	check(count_different(first, await picture()) <= MAX_DIFFERENT, "the second field draws the same")
+	check(
+		count_different(first, await picture()) <= MAX_DIFFERENT, "the second field draws the same"
+	)
 
 
 func _tall(mesh: Mesh) -> MeshPlantFunction:

@@ -91,7 +91,8 @@ FormBones make_model_bones(const std::vector<ModelPart> &parts, const ModelIslan
 	}
 	for (size_t i = 0; i < parts.size(); i++) {
 		if (swingers[i].number >= 0) {
-			const float away = glm::distance(parts[i].pivot, groups[static_cast<size_t>(swingers[i].number)].part->pivot);
+			const float away =
+					glm::distance(parts[i].pivot, groups[static_cast<size_t>(swingers[i].number)].part->pivot);
 			const float arm = FAR * away / std::max(parts[i].length(), 1e-6f);
 			swingers[i].share = 1.0f / (1.0f + arm * arm);
 		}

@@ -32,8 +32,9 @@ void place_vertices(const std::vector<ModelSurface> &surfaces, const ModelFrame 
 	}
 }
 
-void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &parts, const std::vector<ModelSwinger> &swingers,
-		const std::vector<ModelSurface> &surfaces, float height, ModelVertices &vertices) {
+void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &parts,
+		const std::vector<ModelSwinger> &swingers, const std::vector<ModelSurface> &surfaces, float height,
+		ModelVertices &vertices) {
 	const size_t count = vertices.places.size();
 	vertices.custom0.resize(count);
 	vertices.custom1.resize(count);

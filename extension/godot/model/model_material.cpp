@@ -48,12 +48,14 @@ static String filter_of(const BaseMaterial3D &from) {
 	const int filter = int(from.get_texture_filter());
 	const bool is_known = filter >= 0 && filter < int(std::size(names));
 	const bool repeats = from.get_flag(BaseMaterial3D::FLAG_USE_TEXTURE_REPEAT);
-	return String(is_known ? names[filter] : "filter_linear_mipmap") + (repeats ? ", repeat_enable" : ", repeat_disable");
+	return String(is_known ? names[filter] : "filter_linear_mipmap") +
+			(repeats ? ", repeat_enable" : ", repeat_disable");
 }
 
 static String render_modes_of(const BaseMaterial3D &from) {
 	static const char *const culls[] = { "cull_back", "cull_front", "cull_disabled" };
-	static const char *const diffuses[] = { "diffuse_burley", "diffuse_lambert", "diffuse_lambert_wrap", "diffuse_toon" };
+	static const char *const diffuses[] = { "diffuse_burley", "diffuse_lambert", "diffuse_lambert_wrap",
+		"diffuse_toon" };
 	static const char *const speculars[] = { "specular_schlick_ggx", "specular_toon", "specular_disabled" };
 	const int cull = int(from.get_cull_mode());
 	const int diffuse = int(from.get_diffuse_mode());

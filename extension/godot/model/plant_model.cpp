@@ -105,8 +105,9 @@ void PlantModel::add_level(const std::vector<FileSurface> &surfaces, ModelMotion
 			own.arrays[Mesh::ARRAY_NORMAL] = upward(int64_t(count));
 		}
 		own.positions.resize(int64_t(count));
-		std::transform(found.places.begin() + std::ptrdiff_t(first), found.places.begin() + std::ptrdiff_t(first + count),
-				own.positions.ptrw(), [](const glm::vec3 &place) { return to_godot(place); });
+		std::transform(found.places.begin() + std::ptrdiff_t(first),
+				found.places.begin() + std::ptrdiff_t(first + count), own.positions.ptrw(),
+				[](const glm::vec3 &place) { return to_godot(place); });
 		own.customs[0] = floats_of(found.custom0, first, count);
 		own.customs[1] = floats_of(found.custom1, first, count);
 		own.customs[2] = floats_of(found.custom2, first, count);
@@ -253,8 +254,8 @@ MeshArrays PlantModel::build(const SampledPlant &sampled) const {
 		PackedInt32Array bones = own.bones;
 		PackedFloat32Array weights = own.weights;
 		if (sampled.stem) {
-			bind_to_joints(sampled.stem->joints, int(positions.size()), own.stem_places.ptr(), bones.ptrw(),
-					weights.ptrw());
+			bind_to_joints(
+					sampled.stem->joints, int(positions.size()), own.stem_places.ptr(), bones.ptrw(), weights.ptrw());
 			hold_base(int(positions.size()), own.stem_places.ptr(), bones.ptrw(), weights.ptrw());
 		}
 		surface.arrays[Mesh::ARRAY_VERTEX] = positions;

@@ -50,8 +50,7 @@ std::unique_ptr<PartSkeleton> PartSkeleton::of(const SampledPlant &sampled) {
 	}
 	for (size_t i = 0; i < made->bones.size(); i++) {
 		const PartBone &bone = made->bones[i];
-		made->add_bone(
-				String::utf8(of_parts->names()[i].c_str()), made->carrier_of(bone), to_godot(bone.origin));
+		made->add_bone(String::utf8(of_parts->names()[i].c_str()), made->carrier_of(bone), to_godot(bone.origin));
 	}
 	made->skin = new_counted<Skin>();
 	for (size_t i = 0; i < made->origins.size(); i++) {

@@ -202,8 +202,7 @@ void MeshPlantFunction::set_weights(const PackedFloat32Array &list) {
 
 void MeshPlantFunction::set_up_axis(Axis axis) {
 	if (axis < AXIS_AUTOMATIC || axis > AXIS_MINUS_X) {
-		report_error(
-				this, "up_axis " + String::num_int64(axis) + " does not exist. Use one of the AXIS_ constants.");
+		report_error(this, "up_axis " + String::num_int64(axis) + " does not exist. Use one of the AXIS_ constants.");
 		return;
 	}
 	if (axis != up_axis) {

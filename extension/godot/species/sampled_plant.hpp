@@ -62,7 +62,8 @@ struct SampledPlant {
 	glm::vec2 rest = { 0.0f, 0.0f };
 	std::shared_ptr<const GrownPlant> grown; ///< For a plant of parts; cross-section, widths and colors are empty then.
 
-	std::shared_ptr<const PlantModel> model; ///< For a plant of a user's mesh; cross-section, widths and colors are empty then.
+	std::shared_ptr<const PlantModel>
+			model; ///< For a plant of a user's mesh; cross-section, widths and colors are empty then.
 
 	/// Cards replace the small parts of a plant of parts, if they are not null and its level has room for them.
 	std::shared_ptr<SharedCards> cards;

@@ -203,8 +203,7 @@ void check_shown(const std::vector<ModelSurface> &surfaces) {
 }
 
 // A blade of many rows that arches outward.
-void add_blade(
-		MadeSurface &made, const glm::vec3 &side, const glm::vec3 &root, float length, float width = 0.012f) {
+void add_blade(MadeSurface &made, const glm::vec3 &side, const glm::vec3 &root, float length, float width = 0.012f) {
 	const glm::vec3 across = 0.5f * width * glm::normalize(glm::cross(side, glm::vec3(0.0f, 1.0f, 0.0f)));
 	const auto at = [&](float share) {
 		return root + length * (share * glm::vec3(0.0f, 1.0f, 0.0f) + 0.4f * share * share * side);

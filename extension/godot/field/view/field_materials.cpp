@@ -132,7 +132,8 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		set_parameter(material, "undergrowth_shares", vector_of(lod_density.densities));
 		set_parameter(material, "undergrowth_has_parts", style.has_parts());
 		set_parameter(material, "undergrowth_mean", style.mean);
-		set_parameter(material, "undergrowth_from_above", above_at(style, std::min(i % style.slots(), style.levels.size() - 1)));
+		set_parameter(material, "undergrowth_from_above",
+				above_at(style, std::min(i % style.slots(), style.levels.size() - 1)));
 		set_parameter(material, "undergrowth_bends", motion.pose_texture());
 		set_parameter(material, "undergrowth_blends", motion.blend_texture());
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());

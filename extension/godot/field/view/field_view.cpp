@@ -106,8 +106,7 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	server->instance_attach_object_instance_id(batch.instance, owner);
 	server->instance_set_transform(batch.instance, place_of(batch));
 	server->instance_set_visible(batch.instance, false);
-	server->instance_geometry_set_material_override(
-			batch.instance, style.override_for(size_t(plan.place.level)));
+	server->instance_geometry_set_material_override(batch.instance, style.override_for(size_t(plan.place.level)));
 	if (level.casts_for_finer) {
 		batch.shadow = server->instance_create2(batch.multimesh, world);
 		server->instance_attach_object_instance_id(batch.shadow, owner);

@@ -209,8 +209,7 @@ const PlantModel *SpeciesStyle::model() const {
 
 bool SpeciesStyle::has_one_model() const {
 	const std::vector<SampledPlant> &all = samples.empty() || samples[0].empty() ? nearest : samples[0];
-	return std::all_of(
-			all.begin(), all.end(), [&](const SampledPlant &one) { return one.model == all.front().model; });
+	return std::all_of(all.begin(), all.end(), [&](const SampledPlant &one) { return one.model == all.front().model; });
 }
 
 float SpeciesStyle::triangles_at(const FieldLevel &level) const {
@@ -253,8 +252,7 @@ void SpeciesStyle::set_surface_materials() const {
 		for (size_t group = 0; group < meshes[level].size(); group++) {
 			const std::vector<size_t> &own = surface_sources[level][group];
 			for (size_t surface = 0; surface < own.size(); surface++) {
-				meshes[level][group]->surface_set_material(
-						int(surface), materials[own[surface] * slots() + level]);
+				meshes[level][group]->surface_set_material(int(surface), materials[own[surface] * slots() + level]);
 			}
 		}
 	}
