@@ -16,6 +16,11 @@ func surface(material: Material = null) -> void:
 	_materials.append(material)
 
 
+## Sets the vertex colour of all that follows in the surface.
+func paint(color: Color) -> void:
+	_surfaces.back().set_color(color)
+
+
 func without_uvs() -> void:
 	_has_uvs = false
 

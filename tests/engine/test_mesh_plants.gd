@@ -116,6 +116,36 @@ func test_the_height_and_the_axis_can_be_set() -> void:
 	check_equal(species.find_model(0).up_axis, MeshPlantFunction.AXIS_MINUS_Y)
 
 
+func test_the_root_and_the_leaves_can_be_set() -> void:
+	var species := MeshPlantFunction.of(Files.flower(null).mesh())
+	species.has_own_root = true
+	species.root = Vector3(0.1, 0.2, 0)
+	check_near(species.find_model(0).height, 0.4, 0.03)
+	check_near(species.generate_mesh(0.0, 12).get_aabb().position.y, -0.2, 1e-3)
+	var bark := Maker.new()
+	bark.surface(Maker.plain(Color.BROWN))
+	bark.stem(1.0, 0.02)
+	bark.surface(Maker.plain(Color.GREEN))
+	bark.stem(0.5, 0.15, Vector3(0.0, 0.03, 0.0))
+	species = MeshPlantFunction.of(bark.mesh())
+	check_equal(species.find_model(0).roots, 2, "roots of two plain materials")
+	species.leaf_surfaces = PackedInt32Array([1])
+	check_equal(species.find_model(0).roots, 1, "roots beside foliage")
+
+
+func test_vertex_colours_can_stiffen_a_plant() -> void:
+	var maker := Maker.new()
+	maker.surface(Maker.plain(Color.GREEN))
+	maker.paint(Color(0.0, 1.0, 0.0))
+	maker.stem(0.8, 0.02)
+	var species := MeshPlantFunction.of(maker.mesh())
+	check(_greatest_offset(species) > 0.99, "it bends to its tip")
+	species.vertex_colors = MeshPlantFunction.VERTEX_COLORS_BEND_FLUTTER_PHASE
+	check_near(_greatest_offset(species), 0.0, 1e-6, "stiff by red")
+	species.vertex_colors = MeshPlantFunction.VERTEX_COLORS_ALPHA_BEND
+	check(_greatest_offset(species) > 0.99, "alpha is 1")
+
+
 func test_weights_select_among_models() -> void:
 	var species := MeshPlantFunction.of([Files.flower(null).mesh(), Files.tree(30).mesh()])
 	var tall := 0
@@ -263,6 +293,16 @@ func _outward(mesh: ArrayMesh) -> float:
 		var front := (vertices[indices[i + 2]] - a).cross(vertices[indices[i + 1]] - a).normalized()
 		sum += front.dot(normals[indices[i]])
 	return sum
+
+
+# Of the positions on the stem that move vertices.
+func _greatest_offset(species: PlantFunction) -> float:
+	var arrays := species.generate_mesh(0.0, 12).surface_get_arrays(0)
+	var customs: PackedFloat32Array = arrays[Mesh.ARRAY_CUSTOM0]
+	var greatest := 0.0
+	for i in range(0, customs.size(), 4):
+		greatest = maxf(greatest, customs[i])
+	return greatest
 
 
 func _broken_mesh() -> ArrayMesh:

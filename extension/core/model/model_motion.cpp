@@ -32,35 +32,72 @@ void place_vertices(const std::vector<ModelSurface> &surfaces, const ModelFrame 
 	}
 }
 
-void write_vertices(const ModelIslands &islands, const std::vector<ModelPart> &parts,
-		const std::vector<ModelSwinger> &swingers, const std::vector<ModelSurface> &surfaces, float height,
-		ModelVertices &vertices) {
-	const size_t count = vertices.places.size();
-	vertices.custom0.resize(count);
-	vertices.custom1.resize(count);
-	vertices.custom2.resize(count);
-	vertices.stem_places.resize(count);
-	vertices.swingers.assign(count, -1);
-	vertices.bone_weights.assign(count, 0.0f);
-	const ModelPart unused = {};
+// The value of a channel, or 1 without one.
+float channel_of(const ModelSurface &surface, int vertex, int channel) {
+	return channel < 0 || surface.colors == nullptr ? 1.0f : std::clamp(surface.colors[vertex][channel], 0.0f, 1.0f);
+}
+
+void set_phases(const std::vector<ModelSurface> &surfaces, const ModelIslands &islands, int channel,
+		std::vector<ModelPart> &parts) {
+	std::vector<float> sums(parts.size(), 0.0f);
 	size_t vertex = 0;
 	for (const ModelSurface &surface : surfaces) {
-		const float leafiness = surface.is_foliage ? 1.0f : 0.0f;
 		for (int i = 0; i < surface.vertices; i++, vertex++) {
 			const int island = islands.of_vertex[vertex];
-			const ModelPart &part = island < 0 ? unused : parts[static_cast<size_t>(island)];
-			const glm::vec3 &place = vertices.places[vertex];
-			const float offset = part.stem_offset_of(place, height);
-			const glm::vec3 aside = island < 0 ? glm::vec3(0.0f) : place - part.midrib_at(place);
-			vertices.custom0[vertex] = { offset, part.weight_of(place, height), 0.0f, leafiness };
-			vertices.custom1[vertex] = glm::vec4(part.pivot, part.code.pace);
-			vertices.custom2[vertex] = glm::vec4(aside, part.code.place);
-			vertices.stem_places[vertex] = offset;
 			if (island >= 0) {
-				const ModelSwinger &swinger = swingers[static_cast<size_t>(island)];
-				vertices.swingers[vertex] = swinger.number;
-				vertices.bone_weights[vertex] = swinger.share * vertices.custom0[vertex].y;
+				sums[static_cast<size_t>(island)] += channel_of(surface, i, channel);
 			}
+		}
+	}
+	for (size_t i = 0; i < parts.size(); i++) {
+		if (parts[i].swings) {
+			parts[i].swing.phase = sums[i] / static_cast<float>(islands.islands[i].count);
+			parts[i].code = encode_part_motion(parts[i].swing);
+			parts[i].swing = decode_part_motion(parts[i].code);
+		}
+	}
+}
+
+/// What write_vertices() reads besides the surfaces.
+struct Written {
+	const ModelIslands &islands;
+	const std::vector<ModelPart> &parts;
+	const std::vector<ModelSwinger> &swingers;
+	const ModelColors &colors;
+	float height;
+};
+
+void write_vertex(const Written &from, const ModelSurface &surface, int i, size_t vertex, ModelVertices &vertices) {
+	const int island = from.islands.of_vertex[vertex];
+	if (island < 0) {
+		return;
+	}
+	const ModelPart &part = from.parts[static_cast<size_t>(island)];
+	const ModelSwinger &swinger = from.swingers[static_cast<size_t>(island)];
+	const glm::vec3 &place = vertices.places[vertex];
+	const float bend = part.is_root ? channel_of(surface, i, from.colors.bend) : 1.0f; // Leaves move with their stem.
+	const float offset = bend * part.stem_offset_of(place, from.height);
+	const float weight = part.weight_of(place, from.height) * channel_of(surface, i, from.colors.flutter);
+	vertices.custom0[vertex] = { offset, weight, 0.0f, surface.is_foliage ? 1.0f : 0.0f };
+	vertices.custom1[vertex] = glm::vec4(part.pivot, part.code.pace);
+	vertices.custom2[vertex] = glm::vec4(place - part.midrib_at(place), part.code.place);
+	vertices.stem_places[vertex] = offset;
+	vertices.swingers[vertex] = swinger.number;
+	vertices.bone_weights[vertex] = swinger.share * weight;
+}
+
+void write_vertices(const Written &from, const std::vector<ModelSurface> &surfaces, ModelVertices &vertices) {
+	const size_t count = vertices.places.size();
+	vertices.custom0.assign(count, glm::vec4(0.0f));
+	vertices.custom1.assign(count, glm::vec4(0.0f));
+	vertices.custom2.assign(count, glm::vec4(0.0f));
+	vertices.stem_places.assign(count, 0.0f);
+	vertices.swingers.assign(count, -1);
+	vertices.bone_weights.assign(count, 0.0f);
+	size_t vertex = 0;
+	for (const ModelSurface &surface : surfaces) {
+		for (int i = 0; i < surface.vertices; i++, vertex++) {
+			write_vertex(from, surface, i, vertex, vertices);
 		}
 	}
 }
@@ -135,14 +172,18 @@ void count_parts(const std::vector<ModelPart> &parts, ModelMotion &motion) {
 
 } // namespace
 
-ModelMotion find_model_motion(const std::vector<ModelSurface> &surfaces, const ModelFrame &frame) {
+ModelMotion find_model_motion(
+		const std::vector<ModelSurface> &surfaces, const ModelFrame &frame, const ModelColors &colors) {
 	ModelMotion motion;
 	place_vertices(surfaces, frame, motion.vertices);
 	const ModelIslands islands = find_islands(surfaces, motion.vertices.places);
-	const std::vector<ModelPart> parts = attach_islands(surfaces, motion.vertices.places, islands, frame.height);
+	std::vector<ModelPart> parts = attach_islands(surfaces, motion.vertices.places, islands, frame.height);
+	if (colors.phase >= 0) {
+		set_phases(surfaces, islands, colors.phase, parts);
+	}
 	std::vector<ModelSwinger> swingers;
 	motion.bones = make_model_bones(parts, islands, frame.height, swingers);
-	write_vertices(islands, parts, swingers, surfaces, frame.height, motion.vertices);
+	write_vertices({ islands, parts, swingers, colors, frame.height }, surfaces, motion.vertices);
 	const int stem = find_stem(islands, parts, frame.height);
 	measure_stem(parts, stem, frame.height, motion.beam);
 	measure_loads(islands, parts, stem, frame.height, motion.beam);

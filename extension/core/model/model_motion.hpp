@@ -30,6 +30,7 @@ struct ModelMotion {
 };
 
 /// Finds the motion of surfaces without a fault.
-ModelMotion find_model_motion(const std::vector<ModelSurface> &surfaces, const ModelFrame &frame);
+ModelMotion find_model_motion(
+		const std::vector<ModelSurface> &surfaces, const ModelFrame &frame, const ModelColors &colors = {});
 
 } // namespace undergrowth

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <cstdint>
 #include <vector>
@@ -14,7 +15,15 @@ struct ModelSurface {
 	int vertices = 0;
 	const int32_t *indices = nullptr; ///< Three per triangle.
 	int index_count = 0;
+	const glm::vec4 *colors = nullptr; ///< Of the vertices; null: none.
 	bool is_foliage = false; ///< True if its material is cut out, as that of leaf cards.
+};
+
+/// What the channels of vertex colours mean: 0 to 3 for red to alpha; -1: no channel.
+struct ModelColors {
+	int bend = -1; ///< Factor of the stem's bend: 0 is stiff, 1 bends as found.
+	int flutter = -1; ///< Factor of the own swing of leaves and heads.
+	int phase = -1; ///< Phase of that swing: the mean of its part.
 };
 
 enum class ModelFault {

@@ -22,31 +22,35 @@ static constexpr int64_t CUSTOM_FORMAT = custom_format(0, Mesh::ARRAY_CUSTOM_RGB
 		custom_format(3, Mesh::ARRAY_CUSTOM_RGBA_FLOAT);
 
 // The surfaces as the core reads them. `file` must outlive the result.
-static std::vector<ModelSurface> to_core(const std::vector<FileSurface> &file) {
+static std::vector<ModelSurface> to_core(const std::vector<FileSurface> &file, const PackedInt32Array &foliage) {
 	std::vector<ModelSurface> surfaces;
 	for (const FileSurface &one : file) {
 		const PackedVector3Array positions = one.arrays[Mesh::ARRAY_VERTEX];
 		const PackedInt32Array indices = one.arrays[Mesh::ARRAY_INDEX];
+		const bool has_colors = one.arrays[Mesh::ARRAY_COLOR].get_type() == Variant::PACKED_COLOR_ARRAY;
+		const PackedColorArray colors = has_colors ? PackedColorArray(one.arrays[Mesh::ARRAY_COLOR]) : PackedColorArray();
+		const bool is_foliage = foliage.is_empty() ? one.is_foliage : foliage.has(int32_t(surfaces.size()));
 		surfaces.push_back({ reinterpret_cast<const glm::vec3 *>(positions.ptr()), int(positions.size()), indices.ptr(),
-				int(indices.size()), one.is_foliage });
+				int(indices.size()), has_colors ? reinterpret_cast<const glm::vec4 *>(colors.ptr()) : nullptr,
+				is_foliage });
 	}
 	return surfaces;
 }
 
 std::shared_ptr<const PlantModel> PlantModel::make(
-		const FileModel &file, const ModelFrameOptions &options, String &problem) {
+		const FileModel &file, const ModelOptions &options, String &problem) {
 	auto made = std::make_shared<PlantModel>();
 	for (const std::vector<FileSurface> &level : file.levels) {
-		const std::vector<ModelSurface> surfaces = to_core(level);
+		const std::vector<ModelSurface> surfaces = to_core(level, options.foliage);
 		const ModelFault fault = find_model_fault(surfaces);
 		if (fault != ModelFault::none) {
 			problem = describe(fault);
 			return nullptr;
 		}
 		if (made->motions.empty()) {
-			made->frame = find_model_frame(surfaces, options);
+			made->frame = find_model_frame(surfaces, options.frame);
 		}
-		made->add_level(level, find_model_motion(surfaces, made->frame));
+		made->add_level(level, find_model_motion(surfaces, made->frame, options.colors));
 	}
 	if (file.levels.size() == 1) {
 		made->add_lods(file.levels[0]);

@@ -12,6 +12,13 @@
 
 namespace undergrowth {
 
+/// What a user sets for a model.
+struct ModelOptions {
+	ModelFrameOptions frame;
+	ModelColors colors;
+	godot::PackedInt32Array foliage; ///< Surfaces that are leaves, through all meshes of the file. Empty: found.
+};
+
 struct MeshArrays;
 struct SampledPlant;
 
@@ -21,7 +28,7 @@ class PlantModel {
 public:
 	/// Analyses a file. Returns null and sets `problem`, what is wrong and what to do, if it cannot become a plant.
 	static std::shared_ptr<const PlantModel> make(
-			const FileModel &file, const ModelFrameOptions &options, godot::String &problem);
+			const FileModel &file, const ModelOptions &options, godot::String &problem);
 
 	/// Height of the plant (m).
 	float height() const { return frame.height; }

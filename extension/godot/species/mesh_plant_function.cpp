@@ -49,10 +49,27 @@ void MeshPlantFunction::on_model_changed() {
 	forget();
 }
 
-ModelFrameOptions MeshPlantFunction::frame_options() const {
-	ModelFrameOptions options;
-	options.up = UpAxis(int(up_axis));
-	options.height = height;
+static ModelColors channels_of(MeshPlantFunction::VertexColors use) {
+	switch (use) {
+		case MeshPlantFunction::VERTEX_COLORS_BEND_FLUTTER_PHASE:
+			return { 0, 1, 2 };
+		case MeshPlantFunction::VERTEX_COLORS_FLUTTER_PHASE_BEND:
+			return { 2, 0, 1 };
+		case MeshPlantFunction::VERTEX_COLORS_ALPHA_BEND:
+			return { 3, -1, -1 };
+		default:
+			return {};
+	}
+}
+
+ModelOptions MeshPlantFunction::model_options() const {
+	ModelOptions options;
+	options.frame.up = UpAxis(int(up_axis));
+	options.frame.height = height;
+	options.frame.has_root = has_own_root;
+	options.frame.root = to_glm(root);
+	options.colors = channels_of(vertex_colors);
+	options.foliage = leaf_surfaces;
 	return options;
 }
 
@@ -70,7 +87,7 @@ const MeshPlantFunction::Entry &MeshPlantFunction::entry(int64_t number) {
 		const FileModel read = read_model_file(file);
 		found.problem = read.problem;
 		if (found.problem.is_empty()) {
-			found.model = PlantModel::make(read, frame_options(), found.problem);
+			found.model = PlantModel::make(read, model_options(), found.problem);
 		}
 		if (!found.problem.is_empty()) {
 			found.problem = name + String(" (") + describe(file.ptr()) + ") cannot become a plant. " + found.problem;
@@ -222,10 +239,48 @@ double MeshPlantFunction::get_height() const {
 	return shortest_decimal(height);
 }
 
+void MeshPlantFunction::set_has_own_root(bool has) {
+	if (has != has_own_root) {
+		has_own_root = has;
+		notify_property_list_changed();
+		forget();
+	}
+}
+
+void MeshPlantFunction::set_root(const Vector3 &place) {
+	if (!place.is_finite()) {
+		report_error(this, "root must be finite; the old value stays.");
+	} else if (place != root) {
+		root = place;
+		forget();
+	}
+}
+
+void MeshPlantFunction::set_vertex_colors(VertexColors use) {
+	if (use < VERTEX_COLORS_UNUSED || use > VERTEX_COLORS_ALPHA_BEND) {
+		report_error(this,
+				"vertex_colors " + String::num_int64(use) +
+						" does not exist. Use one of the VERTEX_COLORS_ constants.");
+	} else if (use != vertex_colors) {
+		vertex_colors = use;
+		forget();
+	}
+}
+
+void MeshPlantFunction::set_leaf_surfaces(const PackedInt32Array &numbers) {
+	if (numbers != leaf_surfaces) {
+		leaf_surfaces = numbers;
+		forget();
+	}
+}
+
 void MeshPlantFunction::_validate_property(PropertyInfo &property) const {
 	static const char *const unused[] = { "has_stem", "arrangements", "shading", "shape_deviation", "color_deviation" };
 	const String name = property.name;
 	if (std::any_of(std::begin(unused), std::end(unused), [&](const char *one) { return name == String(one); })) {
+		property.usage = PROPERTY_USAGE_NO_EDITOR;
+	}
+	if (name == String("root") && !has_own_root) {
 		property.usage = PROPERTY_USAGE_NO_EDITOR;
 	}
 }
@@ -243,6 +298,15 @@ void MeshPlantFunction::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_height", "metres"), &MeshPlantFunction::set_height);
 	ClassDB::bind_method(D_METHOD("get_height"), &MeshPlantFunction::get_height);
 
+	ClassDB::bind_method(D_METHOD("set_has_own_root", "has"), &MeshPlantFunction::set_has_own_root);
+	ClassDB::bind_method(D_METHOD("get_has_own_root"), &MeshPlantFunction::get_has_own_root);
+	ClassDB::bind_method(D_METHOD("set_root", "place"), &MeshPlantFunction::set_root);
+	ClassDB::bind_method(D_METHOD("get_root"), &MeshPlantFunction::get_root);
+	ClassDB::bind_method(D_METHOD("set_vertex_colors", "use"), &MeshPlantFunction::set_vertex_colors);
+	ClassDB::bind_method(D_METHOD("get_vertex_colors"), &MeshPlantFunction::get_vertex_colors);
+	ClassDB::bind_method(D_METHOD("set_leaf_surfaces", "numbers"), &MeshPlantFunction::set_leaf_surfaces);
+	ClassDB::bind_method(D_METHOD("get_leaf_surfaces"), &MeshPlantFunction::get_leaf_surfaces);
+
 	ADD_GROUP("Models", "");
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "models", PROPERTY_HINT_ARRAY_TYPE, "24/17:Mesh,PackedScene"),
 			"set_models", "get_models");
@@ -251,6 +315,12 @@ void MeshPlantFunction::_bind_methods() {
 			"set_height", "get_height");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "up_axis", PROPERTY_HINT_ENUM, "Automatic,+Y,-Y,+Z,-Z,+X,-X"),
 			"set_up_axis", "get_up_axis");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "has_own_root"), "set_has_own_root", "get_has_own_root");
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR3, "root"), "set_root", "get_root");
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "leaf_surfaces"), "set_leaf_surfaces", "get_leaf_surfaces");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "vertex_colors", PROPERTY_HINT_ENUM,
+						 "Unused,Bend Flutter Phase,Flutter Phase Bend,Alpha Bend"),
+			"set_vertex_colors", "get_vertex_colors");
 
 	BIND_ENUM_CONSTANT(AXIS_AUTOMATIC);
 	BIND_ENUM_CONSTANT(AXIS_PLUS_Y);
@@ -259,6 +329,10 @@ void MeshPlantFunction::_bind_methods() {
 	BIND_ENUM_CONSTANT(AXIS_MINUS_Z);
 	BIND_ENUM_CONSTANT(AXIS_PLUS_X);
 	BIND_ENUM_CONSTANT(AXIS_MINUS_X);
+	BIND_ENUM_CONSTANT(VERTEX_COLORS_UNUSED);
+	BIND_ENUM_CONSTANT(VERTEX_COLORS_BEND_FLUTTER_PHASE);
+	BIND_ENUM_CONSTANT(VERTEX_COLORS_FLUTTER_PHASE_BEND);
+	BIND_ENUM_CONSTANT(VERTEX_COLORS_ALPHA_BEND);
 }
 
 } // namespace undergrowth

@@ -24,6 +24,13 @@ public:
 		AXIS_MINUS_X = int(UpAxis::minus_x),
 	};
 
+	enum VertexColors : int64_t {
+		VERTEX_COLORS_UNUSED,
+		VERTEX_COLORS_BEND_FLUTTER_PHASE,
+		VERTEX_COLORS_FLUTTER_PHASE_BEND,
+		VERTEX_COLORS_ALPHA_BEND,
+	};
+
 private:
 	/// One file and what was found in it.
 	struct Entry {
@@ -36,10 +43,14 @@ private:
 	godot::PackedFloat32Array weights;
 	Axis up_axis = AXIS_AUTOMATIC;
 	float height = 0.0f; // m; 0: that of the file.
+	bool has_own_root = false;
+	godot::Vector3 root; // In the file's axes and unit.
+	VertexColors vertex_colors = VERTEX_COLORS_UNUSED;
+	godot::PackedInt32Array leaf_surfaces; // Empty: found.
 	std::vector<Entry> entries;
 
 	void forget();
-	ModelFrameOptions frame_options() const;
+	ModelOptions model_options() const;
 	/// Analyses a file at the first call.
 	const Entry &entry(int64_t number);
 	double weight_of(int64_t number) const;
@@ -72,8 +83,17 @@ public:
 	Axis get_up_axis() const { return up_axis; }
 	void set_height(double metres);
 	double get_height() const;
+	void set_has_own_root(bool has);
+	bool get_has_own_root() const { return has_own_root; }
+	void set_root(const godot::Vector3 &place);
+	godot::Vector3 get_root() const { return root; }
+	void set_vertex_colors(VertexColors use);
+	VertexColors get_vertex_colors() const { return vertex_colors; }
+	void set_leaf_surfaces(const godot::PackedInt32Array &numbers);
+	godot::PackedInt32Array get_leaf_surfaces() const { return leaf_surfaces; }
 };
 
 } // namespace undergrowth
 
 VARIANT_ENUM_CAST(undergrowth::MeshPlantFunction::Axis);
+VARIANT_ENUM_CAST(undergrowth::MeshPlantFunction::VertexColors);

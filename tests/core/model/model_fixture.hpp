@@ -14,6 +14,7 @@ namespace undergrowth {
 struct MadeSurface {
 	std::vector<glm::vec3> positions;
 	std::vector<int32_t> indices;
+	std::vector<glm::vec4> colors; // Empty: none.
 	bool is_foliage = false;
 
 	void quad(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &c, const glm::vec3 &d) {
@@ -50,7 +51,8 @@ struct MadeSurface {
 		}
 	}
 	ModelSurface surface() const {
-		return { positions.data(), int(positions.size()), indices.data(), int(indices.size()), is_foliage };
+		return { positions.data(), int(positions.size()), indices.data(), int(indices.size()),
+			colors.empty() ? nullptr : colors.data(), is_foliage };
 	}
 };
 

@@ -250,3 +250,20 @@ TEST_CASE("model: plants of a field keep their base and their length in a strong
 		check_shown({ trunk.surface(), crown.surface() });
 	}
 }
+
+TEST_CASE("model: channels of vertex colours stiffen stems, calm leaves and set phases") {
+	MadeSurface made = leafy_stem();
+	made.colors.assign(made.positions.size(), glm::vec4(0.5f, 0.25f, 0.75f, 1.0f));
+	const std::vector<ModelSurface> surfaces = { made.surface() };
+	const ModelFrame frame = find_model_frame(surfaces, {});
+	const ModelVertices found = find_model_motion(surfaces, frame).vertices;
+	const ModelVertices painted = find_model_motion(surfaces, frame, { 0, 1, 2 }).vertices;
+	const size_t of_stem = 6 * 5 * 4;
+	for (size_t i = 0; i < found.places.size(); i++) {
+		const float bend = i < of_stem ? 0.5f : 1.0f;
+		CHECK(painted.custom0[i].x == doctest::Approx(bend * found.custom0[i].x));
+		CHECK(painted.custom0[i].y == doctest::Approx(0.25f * found.custom0[i].y));
+	}
+	const PartMotion swing = decode_part_motion({ painted.custom1[of_stem].w, painted.custom2[of_stem].w });
+	CHECK(swing.phase == doctest::Approx(0.75f));
+}
