@@ -109,7 +109,9 @@ static func _card(
 	tool: SurfaceTool, from: Vector3, way: Vector3, width: float, middle: Vector3
 ) -> void:
 	var across := way.cross(Vector3.UP).normalized() * width * 0.5
-	var corners: Array[Vector3] = [from - across, from + across, from + way + across, from + way - across]
+	var corners: Array[Vector3] = [
+		from - across, from + across, from + way + across, from + way - across
+	]
 	var uvs: Array[Vector2] = [Vector2(0, 1), Vector2(1, 1), Vector2(1, 0), Vector2(0, 0)]
 	for corner: int in [0, 2, 1, 0, 3, 2]:
 		tool.set_normal((corners[corner] - middle).normalized())

@@ -96,6 +96,10 @@ func test_levels_are_those_of_the_file_or_of_the_import() -> void:
 	check_equal(_found(files.quixel_lod_nodes).triangles, PackedInt32Array([72, 2]))
 	var sphere: PackedInt32Array = _found(SphereMesh.new()).triangles
 	check(sphere.size() == 5 and sphere[-1] < sphere[0] / 16, "levels %s" % sphere)
+	var cards: PackedInt32Array = _found(files.speedtree_3000_cards).triangles
+	check(cards.size() == 5 and cards[-1] < cards[0] / 8, "levels of leaf cards %s" % cards)
+	var tuft: PackedInt32Array = _found(files.triangles_100k).triangles
+	check(tuft.size() == 5 and tuft[-1] < tuft[0] / 8, "levels of blades %s" % tuft)
 
 
 func test_a_mirrored_node_keeps_its_outsides_outside() -> void:

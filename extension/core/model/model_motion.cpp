@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
 
@@ -58,11 +59,21 @@ void set_phases(const std::vector<ModelSurface> &surfaces, const ModelIslands &i
 	}
 }
 
+std::vector<int> number_leaves(const std::vector<ModelPart> &parts) {
+	std::vector<int> numbers;
+	int count = 0;
+	for (const ModelPart &part : parts) {
+		numbers.push_back(part.swings ? count++ : -1);
+	}
+	return numbers;
+}
+
 /// What write_vertices() reads besides the surfaces.
 struct Written {
 	const ModelIslands &islands;
 	const std::vector<ModelPart> &parts;
 	const std::vector<ModelSwinger> &swingers;
+	const std::vector<int> &leaves; // Number of the leaf of each island; -1: none.
 	const ModelColors &colors;
 	float height;
 };
@@ -84,6 +95,7 @@ void write_vertex(const Written &from, const ModelSurface &surface, int i, size_
 	vertices.stem_places[vertex] = offset;
 	vertices.swingers[vertex] = swinger.number;
 	vertices.bone_weights[vertex] = swinger.share * weight;
+	vertices.leaves[vertex] = from.leaves[static_cast<size_t>(island)];
 }
 
 void write_vertices(const Written &from, const std::vector<ModelSurface> &surfaces, ModelVertices &vertices) {
@@ -94,6 +106,7 @@ void write_vertices(const Written &from, const std::vector<ModelSurface> &surfac
 	vertices.stem_places.assign(count, 0.0f);
 	vertices.swingers.assign(count, -1);
 	vertices.bone_weights.assign(count, 0.0f);
+	vertices.leaves.assign(count, -1);
 	size_t vertex = 0;
 	for (const ModelSurface &surface : surfaces) {
 		for (int i = 0; i < surface.vertices; i++, vertex++) {
@@ -172,6 +185,12 @@ void count_parts(const std::vector<ModelPart> &parts, ModelMotion &motion) {
 
 } // namespace
 
+bool is_leaf_kept(int leaf, float share) {
+	constexpr double GOLDEN = 0.61803398874989485;
+	const double turns = static_cast<double>(leaf) * GOLDEN;
+	return turns - std::floor(turns) < static_cast<double>(share);
+}
+
 ModelMotion find_model_motion(
 		const std::vector<ModelSurface> &surfaces, const ModelFrame &frame, const ModelColors &colors) {
 	ModelMotion motion;
@@ -183,7 +202,7 @@ ModelMotion find_model_motion(
 	}
 	std::vector<ModelSwinger> swingers;
 	motion.bones = make_model_bones(parts, islands, frame.height, swingers);
-	write_vertices({ islands, parts, swingers, colors, frame.height }, surfaces, motion.vertices);
+	write_vertices({ islands, parts, swingers, number_leaves(parts), colors, frame.height }, surfaces, motion.vertices);
 	const int stem = find_stem(islands, parts, frame.height);
 	measure_stem(parts, stem, frame.height, motion.beam);
 	measure_loads(islands, parts, stem, frame.height, motion.beam);

@@ -15,6 +15,7 @@ struct ModelVertices {
 	std::vector<glm::vec4> custom0, custom1, custom2;
 	std::vector<float> stem_places;
 	std::vector<int> swingers; ///< For ModelMotion::bones; -1: none.
+	std::vector<int> leaves; ///< Number of the leaf or blade; -1: part of a stem, twig or head.
 	std::vector<float> bone_weights; ///< Own weights on a skeleton: less than CUSTOM0.y if parts share bones.
 };
 
@@ -28,6 +29,9 @@ struct ModelMotion {
 	int heads = 0;
 	int twigs = 0;
 };
+
+/// True if a coarse level with this share of the leaves draws the leaf. Kept leaves are spread evenly.
+bool is_leaf_kept(int leaf, float share);
 
 /// Finds the motion of surfaces without a fault.
 ModelMotion find_model_motion(

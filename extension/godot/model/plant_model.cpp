@@ -14,7 +14,10 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr int MAX_LODS = 4; // Besides the finest level.
-static constexpr float MAX_SHARE = 0.45f; // Of the triangles of the level before.
+static constexpr float MAX_SHARE = 0.45f; // Of the triangles of the same surface in the level before.
+static constexpr float MAX_LEVEL_SHARE = 0.75f; // The same of all surfaces: otherwise a level is not worth it.
+static constexpr float LEAF_SHARE = 0.4f; // Of the leaves of the level before.
+static constexpr float MAX_WIDENING = 2.5f;
 // Segments at which a coarser level begins, for the levels of fields (field/view/field_levels.cpp).
 static constexpr int LEVEL_SEGMENTS[] = { 12, 8, 5, 3 };
 static constexpr int64_t CUSTOM_FORMAT = custom_format(0, Mesh::ARRAY_CUSTOM_RGBA_FLOAT) |
@@ -28,7 +31,8 @@ static std::vector<ModelSurface> to_core(const std::vector<FileSurface> &file, c
 		const PackedVector3Array positions = one.arrays[Mesh::ARRAY_VERTEX];
 		const PackedInt32Array indices = one.arrays[Mesh::ARRAY_INDEX];
 		const bool has_colors = one.arrays[Mesh::ARRAY_COLOR].get_type() == Variant::PACKED_COLOR_ARRAY;
-		const PackedColorArray colors = has_colors ? PackedColorArray(one.arrays[Mesh::ARRAY_COLOR]) : PackedColorArray();
+		const PackedColorArray colors =
+				has_colors ? PackedColorArray(one.arrays[Mesh::ARRAY_COLOR]) : PackedColorArray();
 		const bool is_foliage = foliage.is_empty() ? one.is_foliage : foliage.has(int32_t(surfaces.size()));
 		surfaces.push_back({ reinterpret_cast<const glm::vec3 *>(positions.ptr()), int(positions.size()), indices.ptr(),
 				int(indices.size()), has_colors ? reinterpret_cast<const glm::vec4 *>(colors.ptr()) : nullptr,
@@ -117,6 +121,8 @@ void PlantModel::add_level(const std::vector<FileSurface> &surfaces, ModelMotion
 		own.customs[2] = floats_of(found.custom2, first, count);
 		own.customs[3].resize(int64_t(4 * count));
 		own.stem_places.resize(int64_t(count));
+		own.leaves.assign(
+				found.leaves.begin() + std::ptrdiff_t(first), found.leaves.begin() + std::ptrdiff_t(first + count));
 		own.bones.resize(int64_t(4 * count));
 		own.weights.resize(int64_t(4 * count));
 		float *customs = own.customs[3].ptrw();
@@ -142,12 +148,38 @@ void PlantModel::add_level(const std::vector<FileSurface> &surfaces, ModelMotion
 	levels.push_back(std::move(drawn));
 }
 
-// Level k of a model consists of LOD k of each surface, or of its last one.
-void PlantModel::add_lods(const std::vector<FileSurface> &surfaces) {
-	size_t most = 0;
-	for (const FileSurface &surface : surfaces) {
-		most = std::max(most, surface.lods.size());
+PlantModel::Drawn PlantModel::thinned(const Drawn &whole, float share) {
+	const std::vector<int> &leaves = all[size_t(whole.vertices)].leaves;
+	const auto is_kept = [&](int32_t vertex) {
+		return leaves[size_t(vertex)] < 0 || is_leaf_kept(leaves[size_t(vertex)], share);
+	};
+	Drawn made;
+	for (int64_t i = 0; i < whole.indices.size(); i += 3) {
+		for (int64_t corner = i; corner < i + 3 && is_kept(whole.indices[i]); corner++) {
+			made.indices.push_back(whole.indices[corner]);
+		}
 	}
+	if (made.indices.is_empty() || made.indices.size() == whole.indices.size()) {
+		return whole;
+	}
+	Vertices wider = all[size_t(whole.vertices)];
+	const float factor = std::min(1.0f / share, MAX_WIDENING);
+	Vector3 *places = wider.positions.ptrw();
+	float *asides = wider.customs[2].ptrw();
+	for (size_t i = 0; i < leaves.size(); i++) {
+		if (leaves[i] >= 0) {
+			float *aside = asides + 4 * i;
+			places[i] += Vector3(aside[0], aside[1], aside[2]) * (factor - 1.0f);
+			std::transform(aside, aside + 3, aside, [factor](float one) { return one * factor; });
+		}
+	}
+	made.vertices = int(all.size());
+	all.push_back(std::move(wider));
+	return made;
+}
+
+// A level consists of the next LOD of each surface. Surfaces without LODs, as of leaf cards, have fewer leaves.
+void PlantModel::add_lods(const std::vector<FileSurface> &surfaces) {
 	const auto count = [](const std::vector<Drawn> &level) {
 		int64_t indices = 0;
 		for (const Drawn &one : level) {
@@ -155,16 +187,26 @@ void PlantModel::add_lods(const std::vector<FileSurface> &surfaces) {
 		}
 		return indices;
 	};
-	for (size_t lod = 0; lod < most && levels.size() <= MAX_LODS; lod++) {
-		std::vector<Drawn> level = levels.front();
+	float share = 1.0f;
+	for (int number = 0; number < MAX_LODS; number++) {
+		share *= LEAF_SHARE;
+		std::vector<Drawn> level = levels.back();
 		for (size_t i = 0; i < surfaces.size(); i++) {
-			if (!surfaces[i].lods.empty()) {
-				level[i].indices = surfaces[i].lods[std::min(lod, surfaces[i].lods.size() - 1)];
+			if (surfaces[i].lods.empty()) {
+				level[i] = thinned(levels.front()[i], share);
+				continue;
+			}
+			for (const PackedInt32Array &lod : surfaces[i].lods) {
+				if (float(lod.size()) <= MAX_SHARE * float(levels.back()[i].indices.size())) {
+					level[i].indices = lod;
+					break;
+				}
 			}
 		}
-		if (float(count(level)) <= MAX_SHARE * float(count(levels.back()))) {
-			levels.push_back(std::move(level));
+		if (float(count(level)) > MAX_LEVEL_SHARE * float(count(levels.back()))) {
+			return;
 		}
+		levels.push_back(std::move(level));
 	}
 }
 

@@ -54,6 +54,7 @@ private:
 		godot::PackedVector3Array positions;
 		godot::PackedFloat32Array customs[4];
 		godot::PackedFloat32Array stem_places;
+		std::vector<int> leaves; ///< ModelVertices::leaves.
 		godot::PackedInt32Array bones;
 		godot::PackedFloat32Array weights; ///< Of root, tip and parts, without joints.
 		godot::Ref<godot::Material> material;
@@ -72,6 +73,8 @@ private:
 
 	void add_level(const std::vector<FileSurface> &surfaces, ModelMotion &&motion);
 	void add_lods(const std::vector<FileSurface> &surfaces);
+	/// Returns a surface with a share of its leaves, which are wider.
+	Drawn thinned(const Drawn &whole, float share);
 	void measure() const;
 };
 

@@ -63,7 +63,9 @@ func _paint_surface(arrays: Array, points: PackedVector3Array, material: Materia
 
 
 static func _image_of(material: BaseMaterial3D) -> Image:
-	var image := material.albedo_texture.get_image() if material and material.albedo_texture else null
+	var image := (
+		material.albedo_texture.get_image() if material and material.albedo_texture else null
+	)
 	if image and image.is_compressed() and image.decompress() != OK:
 		return null
 	return image
