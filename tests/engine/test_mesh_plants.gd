@@ -102,6 +102,24 @@ func test_levels_are_those_of_the_file_or_of_the_import() -> void:
 	check(tuft.size() == 5 and tuft[-1] < tuft[0] / 8, "levels of blades %s" % tuft)
 
 
+func test_coarse_levels_have_no_vertices_that_are_not_drawn() -> void:
+	var species := MeshPlantFunction.of(Files.tree(200).mesh())
+	var fine := species.generate_mesh(0.0, 12)
+	var coarse := species.generate_mesh(0.0, 3)
+	for mesh: ArrayMesh in [fine, coarse]:
+		for surface in mesh.get_surface_count():
+			var arrays := mesh.surface_get_arrays(surface)
+			var used := {}
+			for index: int in arrays[Mesh.ARRAY_INDEX]:
+				used[index] = true
+			check_equal(used.size(), mesh.surface_get_array_len(surface), "vertices in use")
+	check(
+		coarse.surface_get_array_len(1) < fine.surface_get_array_len(1) / 5,
+		"coarse leaves are fewer"
+	)
+	check_near(coarse.get_aabb().end.y, fine.get_aabb().end.y, 0.15, "height")
+
+
 func test_a_mirrored_node_keeps_its_outsides_outside() -> void:
 	var mirrored := MeshPlantFunction.of(Files.all().mirrored_node).generate_mesh(0.0, 12)
 	var own := Files.tree(30).mesh()

@@ -3,6 +3,7 @@
 #include "base/convert.hpp"
 #include "mesh/joint_binding.hpp"
 #include "model/model_bones.hpp"
+#include "model/used_vertices.hpp"
 #include "species/sampled_plant.hpp"
 
 #include <algorithm>
@@ -311,6 +312,7 @@ MeshArrays PlantModel::build(const SampledPlant &sampled) const {
 		for (int i = 0; i < 4; i++) {
 			surface.arrays[Mesh::ARRAY_CUSTOM0 + i] = customs[i];
 		}
+		keep_used_vertices(surface.arrays);
 		if (std::exchange(is_first, false)) {
 			made = std::move(surface);
 		} else {
