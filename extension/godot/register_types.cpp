@@ -9,11 +9,13 @@
 #include "field/resources/plant_map.hpp"
 #include "form/plant_growth.hpp"
 #include "form/plant_part_kinds.hpp"
+#include "model/model_material.hpp"
 #include "nodes/plant_3d.hpp"
 #include "nodes/plant_field_3d.hpp"
 #include "nodes/plant_wind_source_3d.hpp"
 #include "plants/plant_simulation.hpp"
 #include "species/curve_plant_function.hpp"
+#include "species/mesh_plant_function.hpp"
 #include "species/shared_resources.hpp"
 #include "species/species_functions.hpp"
 #include "wind/plant_wind.hpp"
@@ -57,6 +59,7 @@ static void register_classes() {
 	GDREGISTER_CLASS(TulipFunction);
 	GDREGISTER_CLASS(BellflowerFunction);
 	GDREGISTER_CLASS(CurvePlantFunction);
+	GDREGISTER_CLASS(MeshPlantFunction);
 	GDREGISTER_CLASS(PlantWind);
 	GDREGISTER_CLASS(PlantWindSource3D);
 	GDREGISTER_CLASS(Plant3D);
@@ -82,6 +85,7 @@ static void uninitialize(ModuleInitializationLevel level) {
 		Engine::get_singleton()->unregister_singleton(SIMULATION_NAME);
 		memdelete(PlantSimulation::get_singleton());
 		free_shared_resources();
+		free_model_shaders();
 		free_wind_textures();
 	}
 }

@@ -18,6 +18,7 @@ const CLASSES: PackedStringArray = [
 	"TulipFunction",
 	"BellflowerFunction",
 	"CurvePlantFunction",
+	"MeshPlantFunction",
 	"PlantWind",
 	"PlantWindSource3D",
 	"Plant3D",

@@ -57,6 +57,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
          "ready_species_albedo": ["forward_plus"],
          "guide_shaders_msaa": ["forward_plus"],
+         "mesh_plants_picture": ["gl_compatibility", "forward_plus"],
          "stand_picture": ["forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
 # The slowest scripts, which start first.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace undergrowth {
 
@@ -49,6 +51,11 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartAttachment> &a
 		leaves.insert(leaves.end(), lying.begin(), lying.end());
 	}
 	add_leaves(form, attachments, std::move(leaves));
+}
+
+FormBones::FormBones(std::vector<PartBone> &&bones, std::vector<std::string> &&names) :
+		all(std::move(bones)), all_names(std::move(names)), first_of(all.size()) {
+	std::iota(first_of.begin(), first_of.end(), 0);
 }
 
 void FormBones::add_heads(

@@ -29,6 +29,8 @@ public:
 	FormBones() = default;
 	/// Bones for all parts of a form.
 	FormBones(const PlantForm &form, const std::vector<PartAttachment> &attachments);
+	/// Bones of a plant without a form: bone i is that of swinger i.
+	FormBones(std::vector<PartBone> &&bones, std::vector<std::string> &&names);
 
 	const std::vector<PartBone> &bones() const { return all; }
 	/// "leaf_1", "leaf_1_outer", "head", "tuft_1", "lying_1" …, as many as bones().

@@ -32,8 +32,8 @@ static Transform3D transform_of(const PartPose &pose) {
 }
 
 std::unique_ptr<PartSkeleton> PartSkeleton::of(const SampledPlant &sampled) {
-	const bool has_parts = sampled.grown && sampled.has_part_bones && !sampled.grown->bones.bones().empty();
-	if (!has_parts && !sampled.stem) {
+	const FormBones *const of_parts = sampled.part_bones();
+	if (!of_parts && !sampled.stem) {
 		return nullptr;
 	}
 	auto made = std::make_unique<PartSkeleton>();
@@ -45,13 +45,12 @@ std::unique_ptr<PartSkeleton> PartSkeleton::of(const SampledPlant &sampled) {
 		made->joints = sampled.stem->joints;
 		made->add_stem();
 	}
-	if (has_parts) {
-		made->bones = sampled.grown->bones.stretched(sampled.height / sampled.grown->form.height);
+	if (of_parts) {
+		made->bones = of_parts->stretched(sampled.height / sampled.bones_height());
 	}
 	for (size_t i = 0; i < made->bones.size(); i++) {
 		const PartBone &bone = made->bones[i];
-		made->add_bone(
-				String::utf8(sampled.grown->bones.names()[i].c_str()), made->carrier_of(bone), to_godot(bone.origin));
+		made->add_bone(String::utf8(of_parts->names()[i].c_str()), made->carrier_of(bone), to_godot(bone.origin));
 	}
 	made->skin = new_counted<Skin>();
 	for (size_t i = 0; i < made->origins.size(); i++) {

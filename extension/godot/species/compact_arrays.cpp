@@ -60,17 +60,34 @@ static PackedFloat32Array perpendicular(const PackedFloat32Array &tangents, cons
 	return turned;
 }
 
+// For an attribute that a file does not contain.
+static PackedFloat32Array no_tangents(int64_t count) {
+	PackedFloat32Array made;
+	made.resize(4 * count);
+	float *to = made.ptrw();
+	for (int64_t i = 0; i < count; i++) {
+		to[4 * i] = to[4 * i + 3] = 1.0f;
+		to[4 * i + 1] = to[4 * i + 2] = 0.0f;
+	}
+	return made;
+}
+
 MeshArrays compact_arrays(const MeshArrays &from, bool reads_half_floats) {
 	MeshArrays made = from;
 	made.arrays = from.arrays.duplicate();
 	made.arrays[Mesh::ARRAY_BONES] = Variant();
 	made.arrays[Mesh::ARRAY_WEIGHTS] = Variant();
-
-	if (!from.has_parts) {
+	for (MeshArrays &other : made.others) {
+		other = compact_arrays(other, reads_half_floats);
+	}
+	if (!from.has_parts && !from.is_model) {
 		return made;
 	}
 	made.format = int64_t(Mesh::ARRAY_FLAG_COMPRESS_ATTRIBUTES);
-	made.arrays[Mesh::ARRAY_TANGENT] = perpendicular(from.arrays[Mesh::ARRAY_TANGENT], from.arrays[Mesh::ARRAY_NORMAL]);
+	const PackedVector3Array normals = from.arrays[Mesh::ARRAY_NORMAL];
+	const bool has_tangents = from.arrays[Mesh::ARRAY_TANGENT].get_type() == Variant::PACKED_FLOAT32_ARRAY;
+	made.arrays[Mesh::ARRAY_TANGENT] = perpendicular(
+			has_tangents ? PackedFloat32Array(from.arrays[Mesh::ARRAY_TANGENT]) : no_tangents(normals.size()), normals);
 	for (int i = 0; i < CUSTOMS; i++) {
 		const int slot = Mesh::ARRAY_CUSTOM0 + i;
 		const bool is_last = i == CUSTOMS - 1;

@@ -71,6 +71,8 @@ protected:
 	/// Reports to users of this function that its meshes changed.
 	void shape_changed();
 
+	/// sample() without what all species have in common. Main thread.
+	virtual godot::String sample_shape(double height, int segments, int64_t seed, SampledPlant &result);
 	virtual godot::PackedVector3Array own_base_shape(int lod) const;
 	virtual double own_height(const godot::Ref<godot::RandomNumberGenerator> &rng) const;
 	virtual double own_curve_point(double offset) const;
@@ -84,7 +86,7 @@ protected:
 
 public:
 	/// True if the plants consist of parts and not of the one lathe of the four functions.
-	bool has_parts() const;
+	virtual bool has_parts() const;
 	// The four functions, as callers see them. A fault in a script is reported and gives an empty or zero result.
 	godot::PackedVector3Array get_base_shape(int lod);
 	double generate_height(const godot::Ref<godot::RandomNumberGenerator> &rng);

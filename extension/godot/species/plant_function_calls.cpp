@@ -134,6 +134,11 @@ String PlantFunction::sample(double height, int segments, int64_t seed, SampledP
 	result.options.seed = uint64_t(seed);
 	result.material = material;
 	result.grown.reset();
+	result.model.reset();
+	return sample_shape(height, segments, seed, result);
+}
+
+String PlantFunction::sample_shape(double height, int segments, int64_t seed, SampledPlant &result) {
 	return has_parts() ? growth.sample(*this, height, segments, seed, result)
 					   : sample_lathe(*this, height, segments, seed, result);
 }

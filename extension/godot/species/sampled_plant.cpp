@@ -6,6 +6,7 @@
 #include "form/form_arrays.hpp"
 #include "form/grown_plant.hpp"
 #include "mesh/joint_binding.hpp"
+#include "model/plant_model.hpp"
 #include "species/shared_resources.hpp"
 
 #include <algorithm>
@@ -41,18 +42,49 @@ float MeshArrays::width() const {
 	for (const Vector3 &position : positions) {
 		farthest = farthest.max(position.abs());
 	}
-	return std::sqrt(farthest.x * farthest.x + farthest.z * farthest.z);
+	float widest = std::sqrt(farthest.x * farthest.x + farthest.z * farthest.z);
+	for (const MeshArrays &other : others) {
+		widest = std::max(widest, other.width());
+	}
+	return widest;
+}
+
+static void add_surface(const MeshArrays &from, const Ref<ArrayMesh> &mesh) {
+	const int number = mesh->get_surface_count();
+	mesh->add_surface_from_arrays(
+			Mesh::PRIMITIVE_TRIANGLES, from.arrays, TypedArray<Array>(), Dictionary(), from.format);
+	Ref<Material> own = from.material;
+	if (own.is_null() && !from.is_model) {
+		own = from.has_parts ? Ref<Material>(parts_material()) : Ref<Material>(default_material());
+	}
+	mesh->surface_set_material(number, own);
 }
 
 Ref<ArrayMesh> MeshArrays::make() const {
 	Ref<ArrayMesh> mesh = new_counted<ArrayMesh>();
-	mesh->add_surface_from_arrays(Mesh::PRIMITIVE_TRIANGLES, arrays, TypedArray<Array>(), Dictionary(), format);
-	const Ref<Material> own = has_parts ? Ref<Material>(parts_material()) : Ref<Material>(default_material());
-	mesh->surface_set_material(0, material.is_valid() ? material : own);
+	add_surface(*this, mesh);
+	for (const MeshArrays &other : others) {
+		add_surface(other, mesh);
+	}
 	return mesh;
 }
 
+const FormBones *SampledPlant::part_bones() const {
+	if (!has_part_bones || !has_parts()) {
+		return nullptr;
+	}
+	const FormBones &bones = model ? model->bones() : grown->bones;
+	return bones.bones().empty() ? nullptr : &bones;
+}
+
+float SampledPlant::bones_height() const {
+	return model ? model->height() : grown->form.height;
+}
+
 MeshArrays SampledPlant::build_arrays(Vector2 *from_above) const {
+	if (model) {
+		return model->build(*this);
+	}
 	if (grown) {
 		return build_form_arrays(*grown, *this, from_above);
 	}

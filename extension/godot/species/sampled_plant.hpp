@@ -15,7 +15,9 @@
 
 namespace undergrowth {
 
+class FormBones;
 class GrownPlant;
+class PlantModel;
 class SharedCards;
 
 /// Returns the format of a custom attribute, 0 to 3, as bits of MeshArrays::format.
@@ -34,6 +36,8 @@ struct MeshArrays {
 	/// Solid shapes in place of several parts. Without cards, only those in place of parts that are not close together.
 	bool has_bodies = false;
 	float facets = 0.0f; ///< m: see facets_of(). 0 for plants without parts.
+	bool is_model = false; ///< Of a PlantModel. Null is then no material.
+	std::vector<MeshArrays> others = {}; ///< Further surfaces of a model, without surfaces of their own.
 
 	/// Largest distance from the axis (m), deviations included.
 	float width() const;
@@ -58,11 +62,20 @@ struct SampledPlant {
 	glm::vec2 rest = { 0.0f, 0.0f };
 	std::shared_ptr<const GrownPlant> grown; ///< For a plant of parts; cross-section, widths and colors are empty then.
 
+	std::shared_ptr<const PlantModel>
+			model; ///< For a plant of a user's mesh; cross-section, widths and colors are empty then.
+
 	/// Cards replace the small parts of a plant of parts, if they are not null and its level has room for them.
 	std::shared_ptr<SharedCards> cards;
 
 	/// The largest distance of a side point from the plant's axis (m).
 	float widest() const;
+	/// True if its vertices have the attributes of parts (mesh/vertex_format.hpp).
+	bool has_parts() const { return grown || model; }
+	/// Bones of its parts for the height of bones_height(); null: none.
+	const FormBones *part_bones() const;
+	/// Height (m) of the plant with part_bones().
+	float bones_height() const;
 	/// Builds the arrays on any thread. For a plant of parts, also sets `from_above`, unless it is null, to two areas
 	/// as seen from above. These are the area of the plant (x) and of this mesh (y), relative to the area as seen from
 	/// the side.

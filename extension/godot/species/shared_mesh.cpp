@@ -46,7 +46,7 @@ static auto traits_of(const SampledPlant &plant) {
 	const MeshOptions &options = plant.options;
 	return std::make_tuple(plant.height, plant.lod, options.shading, options.shape_deviation, options.color_deviation,
 			options.seed, plant.material.ptr(), plant.has_part_bones, plant.is_packed, plant.stem.get(), plant.rest.x,
-			plant.rest.y, plant.grown.get(), plant.cards.get(), plant.cross_section.points.size());
+			plant.rest.y, plant.grown.get(), plant.model.get(), plant.cards.get(), plant.cross_section.points.size());
 }
 
 static bool are_equal(const SampledPlant &one, const SampledPlant &other) {
@@ -61,6 +61,7 @@ static size_t hash_of(const SampledPlant &plant) {
 	add(size_t(plant.lod));
 	add(size_t(plant.options.seed));
 	add(std::hash<const void *>()(plant.grown.get()));
+	add(std::hash<const void *>()(plant.model.get()));
 	add(std::hash<const void *>()(plant.cards.get()));
 	for (const float width : plant.widths) {
 		add(std::hash<float>()(width));

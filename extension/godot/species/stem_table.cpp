@@ -2,6 +2,7 @@
 
 #include "form/grown_plant.hpp"
 #include "mesh/form_stem.hpp"
+#include "model/plant_model.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -59,7 +60,12 @@ void StemTable::forget_stems() {
 void StemTable::learn(const SampledPlant &plant) {
 	drawn = StemBeam();
 	drawn.length = std::clamp(plant.height, SHORTEST_STEM, LONGEST_STEM); // Other lengths are scaled from it.
-	if (plant.grown) {
+	if (plant.model) {
+		const float length = drawn.length;
+		drawn = plant.model->found().beam;
+		drawn.length = length;
+		drawn.diameter = std::min(drawn.diameter, length);
+	} else if (plant.grown) {
 		carry_parts(plant.grown->form, drawn);
 	} else {
 		carry_lathe(plant.cross_section.radius, plant.widths, drawn);

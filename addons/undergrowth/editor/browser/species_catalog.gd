@@ -16,6 +16,8 @@ const FIRST_CLASSES: Array[String] = [
 	"GrassFunction", "ReedFunction", "CattailFunction", "TulipFunction", "BellflowerFunction"
 ]
 const LAST_CLASS := "CurvePlantFunction"
+## Has no plant before a model is set.
+const EMPTY_CLASS := "MeshPlantFunction"
 ## Added to the editor's folder.
 const READY_FOLDER := "species"
 const MIXES_FOLDER := "mixes"
@@ -117,7 +119,8 @@ func _fingerprint(entries: Array[SpeciesEntry]) -> Array:
 func _collect_classes() -> void:
 	var classes := FIRST_CLASSES.duplicate()
 	for other in ClassDB.get_inheriters_from_class(BASE_CLASS):
-		if other not in classes and other != LAST_CLASS and ClassDB.can_instantiate(other):
+		var is_known := other in classes or other == LAST_CLASS or other == EMPTY_CLASS
+		if not is_known and ClassDB.can_instantiate(other):
 			classes.append(other)
 	classes.append(LAST_CLASS)
 	for title in classes:

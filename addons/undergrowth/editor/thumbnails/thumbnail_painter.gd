@@ -30,6 +30,8 @@ const THINNEST := 0.016
 static func paint(function: PlantFunction, size: Vector2i) -> Image:
 	if not function.find_problem(0.0, RINGS, PLANT_SEED).is_empty():
 		return null
+	if Traits.has_models(function):
+		return _paint_mesh(function.generate_mesh(0.0, RINGS, PLANT_SEED), size)
 	if Traits.has_parts(function):
 		return _paint_parts(function, size)
 	var canvas := Image.create_empty(size.x * FINER, size.y * FINER, false, Image.FORMAT_RGBA8)
@@ -50,7 +52,10 @@ static func paint(function: PlantFunction, size: Vector2i) -> Image:
 
 
 static func _paint_parts(function: PlantFunction, size: Vector2i) -> Image:
-	var mesh := PlantGroup.build(function, PART_SEGMENTS, PLANT_SEED)
+	return _paint_mesh(PlantGroup.build(function, PART_SEGMENTS, PLANT_SEED), size)
+
+
+static func _paint_mesh(mesh: ArrayMesh, size: Vector2i) -> Image:
 	var canvas := MeshPainter.new().paint(mesh, size * FINER)
 	canvas.fix_alpha_edges()
 	canvas.resize(size.x, size.y, Image.INTERPOLATE_BILINEAR)

@@ -57,7 +57,7 @@ static func _make_plant(function: PlantFunction) -> Node3D:
 	var mesh := build(function, SEGMENTS, PLANT_SEED)
 	var size := mesh.get_aabb().size
 	var wider := 1.0
-	if not Traits.has_parts(function):
+	if not Traits.has_parts(function) and not Traits.has_models(function):
 		var breadth := maxf(maxf(size.x, size.z), 1e-6)
 		wider = clampf(MIN_BREADTH * size.y / breadth, 1.0, MAX_WIDENING)
 	var group := Node3D.new()

@@ -148,7 +148,7 @@ static void divide_chunk(const FieldRenderSetup &setup, const DrawnChunk &drawn,
 // True if a species has plans: squares of single plants at SQUARES, multimeshes at the levels.
 static bool is_planned(const SpeciesStyle &style, int level) {
 	if (level == SQUARES) {
-		return !style.errors.empty();
+		return !style.errors.empty() && !style.model();
 	}
 	return style.levels[size_t(level)].is_used && !style.levels[size_t(level)].is_near;
 }

@@ -43,7 +43,6 @@ static constexpr int MIN_SEGMENTS_OF_NEAR = 3; // Coarser levels of plants of pa
 // error alone demands.
 static constexpr float MAX_TRIANGLES = 1.1e6f;
 static constexpr float LARGE_AREA = 400.0f;
-static constexpr float TRIANGLES_OF_VERTEX = 0.85f;
 // Fractions of a full circle: what a camera sees at once of single plants, and of squares.
 static constexpr float SEEN_SHARE = 0.36f;
 static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
@@ -107,7 +106,7 @@ static void limit_around(const FieldRenderSetup &setup, const SpeciesStyle &styl
 		if (setup.levels[i + 1].lod < MIN_SEGMENTS_AROUND) {
 			break;
 		}
-		const float triangles = TRIANGLES_OF_VERTEX * float(vertex_budget(style.segments_at(setup.levels[i])));
+		const float triangles = style.triangles_at(setup.levels[i]);
 		const float area = MAX_TRIANGLES_AROUND / (triangles * style.density);
 		const float end = std::sqrt(area / float(PI)) - DRAWN_BEYOND;
 		if (end < AROUND_END) {
@@ -198,6 +197,22 @@ static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<
 	}
 }
 
+// Each level of a model casts its own shadows, with the cut-out of its textures. Tall plants are thinned farther away.
+static void set_for_model(const SpeciesStyle &style, std::vector<FieldLevel> &levels) {
+	static constexpr float LOW = 0.5f; // m: height of plants that are thinned as those of parts.
+	static constexpr int NO_VARIANTS = 30; // Halvings.
+	const float taller = std::max(style.mean_height() * style.mean_scale / LOW, 1.0f);
+	const bool has_one = style.has_one_model();
+	for (FieldLevel &level : levels) {
+		level.halvings = has_one ? NO_VARIANTS : level.halvings;
+		level.min_variants = has_one ? 1 : style.variant_count;
+		level.casts_shadows = level.is_used;
+		for (float &distance : level.lod_density.distances) {
+			distance *= taller;
+		}
+	}
+}
+
 // `is_limited`: with limit_around().
 static std::vector<FieldLevel> fitted(
 		const FieldRenderSetup &setup, SpeciesStyle &style, float coarser, bool is_limited = false) {
@@ -208,7 +223,9 @@ static std::vector<FieldLevel> fitted(
 		limit_around(setup, style, begins);
 	}
 	set_distances(rule, style, begins, levels);
-	if (!style.errors.empty()) {
+	if (style.model()) {
+		set_for_model(style, levels);
+	} else if (!style.errors.empty()) {
 		set_near(rule, style, levels);
 		set_casters(rule, style, levels);
 	}
@@ -234,7 +251,7 @@ static float triangles_in_view(
 			const float from = level.begin - level.margin;
 			const float drawn = level.is_near ? ground(level.end, SEEN_SHARE) - ground(from, SEEN_SHARE)
 											  : ground(level.end, SEEN_SHARE_OF_SQUARES);
-			sum += style.density * share * TRIANGLES_OF_VERTEX * float(vertex_budget(style.segments_at(level))) * drawn;
+			sum += style.density * share * style.triangles_at(level) * drawn;
 		}
 	}
 	return sum;

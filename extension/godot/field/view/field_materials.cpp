@@ -7,6 +7,7 @@
 #include "field/build/build_input.hpp"
 #include "field/view/field_material.hpp"
 #include "form/shared_cards.hpp"
+#include "model/model_material.hpp"
 #include "species/shared_resources.hpp"
 #include "stem/stem_shape.hpp"
 
@@ -38,6 +39,9 @@ static Vector2 above_at(const SpeciesStyle &style, size_t material) {
 }
 
 Ref<ShaderMaterial> FieldMaterials::make_one(const SpeciesStyle &style, size_t level) const {
+	if (style.model()) {
+		return make_model_material(style.source_material(level / style.slots(), node->get_material_override()));
+	}
 	const Ref<Material> source = style.present_material(node->get_material_override());
 	const Ref<ShaderMaterial> made =
 			make_field_material(source, style.has_parts(), style.drawn_parts(level), style.is_packed);
@@ -52,7 +56,7 @@ bool FieldMaterials::make(FieldRenderSetup &setup, double usec) const {
 	const Stopwatch watch;
 	bool is_any = false;
 	for (SpeciesStyle &style : setup.styles) {
-		while (style.materials.size() < setup.levels.size() + style.casters.size()) {
+		while (style.materials.size() < style.slots() * std::max(style.sources.size(), size_t(1))) {
 			if (std::exchange(is_any, true) && watch.usec() > usec) {
 				return false;
 			}
@@ -113,7 +117,7 @@ static FieldLevel drawn_level(const SpeciesStyle &style, size_t material) {
 
 void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &motion) const {
 	for (size_t i = 0; i < style.materials.size(); i++) {
-		const FieldLevel level = drawn_level(style, i);
+		const FieldLevel level = drawn_level(style, i % style.slots());
 		const float begin = level.begin > 0.0f ? level.begin : -FARTHEST;
 		const float end = level.end > 0.0f ? level.end : FARTHEST;
 		const LodDensity lod_density = level.lod_density_of(style.has_parts());
@@ -124,7 +128,7 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		set_parameter(material, "undergrowth_shares", vector_of(lod_density.densities));
 		set_parameter(material, "undergrowth_has_parts", style.has_parts());
 		set_parameter(material, "undergrowth_mean", style.mean);
-		set_parameter(material, "undergrowth_from_above", above_at(style, i));
+		set_parameter(material, "undergrowth_from_above", above_at(style, i % style.slots()));
 		set_parameter(material, "undergrowth_bends", motion.pose_texture());
 		set_parameter(material, "undergrowth_blends", motion.blend_texture());
 		set_parameter(material, "undergrowth_beats", motion.beat_texture());
@@ -133,6 +137,7 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 		set_parameter(material, "undergrowth_origin", axes_of(node).origin);
 	}
 	send_stem(style);
+	style.set_surface_materials();
 }
 
 // Shapes per bend of the tip, not per amplitude: textures contain bends.
@@ -194,6 +199,11 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 		return; // Until the next build.
 	}
 	for (size_t i = 0; i < style.materials.size(); i++) {
+		if (style.model()) {
+			follow_model_material(
+					style.source_material(i / style.slots(), node->get_material_override()), style.materials[i]);
+			continue;
+		}
 		follow_material(source, style.materials[i], style.drawn_parts(i), style.is_packed);
 	}
 }
@@ -207,7 +217,7 @@ void FieldMaterials::list_swinging(const FieldRenderSetup &setup) {
 		const SpeciesStyle &style = setup.styles[species];
 		const float end = style.motion.longest * SWINGS_TO;
 		for (size_t i = 0; style.motion.has_parts && i < style.materials.size(); i++) {
-			const FieldLevel level = drawn_level(style, i);
+			const FieldLevel level = drawn_level(style, i % style.slots());
 			const float nearest = level.begin - level.margin;
 			const float farthest = level.end > 0.0f ? level.end + level.end_margin : std::numeric_limits<float>::max();
 			const bool swings = style.materials[i]->get_shader() != shadows_shader();
@@ -280,8 +290,10 @@ void FieldMaterials::send_before(const FieldRenderSetup &setup, const MotionVect
 	static const StringName &name = *new StringName("undergrowth_before");
 	const Vector4 value(before.tilt, before.clock, before.steps * std::sqrt(step), before.steps);
 	for (const SpeciesStyle &style : setup.styles) {
-		for (size_t i = 0; i < std::min(style.materials.size(), style.levels.size()); i++) {
-			RenderingServer::get_singleton()->material_set_param(style.materials[i]->get_rid(), name, value);
+		for (size_t i = 0; i < style.materials.size(); i++) {
+			if (i % style.slots() < style.levels.size()) {
+				RenderingServer::get_singleton()->material_set_param(style.materials[i]->get_rid(), name, value);
+			}
 		}
 	}
 }

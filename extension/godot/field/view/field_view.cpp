@@ -95,8 +95,7 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	server->instance_attach_object_instance_id(batch.instance, around.owner);
 	server->instance_set_transform(batch.instance, place_of(batch));
 	server->instance_set_visible(batch.instance, false);
-	server->instance_geometry_set_material_override(
-			batch.instance, style.materials[size_t(plan.place.level)]->get_rid());
+	server->instance_geometry_set_material_override(batch.instance, style.override_for(size_t(plan.place.level)));
 	if (!level.casts_shadows || !(around.flags == InstanceRenderFlags())) { // New instances have these defaults.
 		apply_flags(batch, level);
 	}
@@ -322,7 +321,7 @@ void FieldView::set_materials(const FieldRenderSetup &setup) {
 void FieldView::set_material(
 		RenderingServer *server, const FieldRenderSetup &setup, const BatchKey &place, const Batch &batch) {
 	const SpeciesStyle &style = setup.styles[size_t(batch.species)];
-	server->instance_geometry_set_material_override(batch.instance, style.materials[size_t(place.level)]->get_rid());
+	server->instance_geometry_set_material_override(batch.instance, style.override_for(size_t(place.level)));
 }
 
 static AABB box_around(const Transform3D &axes, const AABB &box) {

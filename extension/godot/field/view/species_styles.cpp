@@ -6,6 +6,8 @@
 #include "field/view/field_material.hpp"
 #include "form/grown_plant.hpp"
 #include "form/shared_cards.hpp"
+#include "mesh/form_plan.hpp"
+#include "model/plant_model.hpp"
 #include "placement/plant_axes.hpp"
 #include "plant/base_shape.hpp"
 #include "species/shared_resources.hpp"
@@ -37,6 +39,9 @@ Ref<Material> SpeciesStyle::drawn_material(const Ref<Material> &material_overrid
 }
 
 bool SpeciesStyle::needs_other_meshes(const Ref<Material> &material) const {
+	if (model()) {
+		return false;
+	}
 	return (is_by_error && takes_cards != draws_cards(material)) ||
 			(has_parts() && is_packed != reads_packed_vertices(material));
 }
@@ -63,7 +68,7 @@ String SpeciesStyle::sample_next(
 	const int64_t own_seed = variant_seed(seed, variant);
 	samples.resize(levels.size());
 	for (size_t level = 0; level < levels.size(); level++) {
-		const bool has_parts = level > 0 && samples[0][size_t(variant)].grown;
+		const bool has_parts = level > 0 && samples[0][size_t(variant)].has_parts();
 		if (!has_parts && variant >= levels[level].groups(variant_count)) {
 			break;
 		}
@@ -78,9 +83,9 @@ String SpeciesStyle::sample_next(
 			}
 		}
 		if (level == 0) {
-			is_by_error = by_error && sampled.grown;
+			is_by_error = by_error && sampled.has_parts();
 			take_needs(sampled, drawn_material(material_override));
-			sampled.lod = sampled.grown ? segments_at(levels[level]) : sampled.lod;
+			sampled.lod = sampled.has_parts() ? segments_at(levels[level]) : sampled.lod;
 			variants.push_back({ own_seed, sampled.height });
 		}
 		samples[level].push_back(std::move(sampled));
@@ -92,7 +97,7 @@ String SpeciesStyle::sample_next(
 void SpeciesStyle::take_needs(SampledPlant &sampled, const Ref<Material> &material) {
 	if (variants.empty()) {
 		sampled_material = material;
-		takes_cards = is_by_error && draws_cards(material);
+		takes_cards = is_by_error && sampled.grown && draws_cards(material);
 		cards = takes_cards ? function->find_cards() : nullptr;
 		is_packed = sampled.grown && reads_packed_vertices(material);
 	}
@@ -159,6 +164,10 @@ void SpeciesStyle::measure() {
 	if (!is_by_error || samples.empty()) {
 		return;
 	}
+	if (samples[0][0].model) {
+		measure_models();
+		return;
+	}
 	const bool has_cards = cards && !cards->sheet().is_empty();
 	std::vector<std::optional<LevelError>> outlines(std::min(samples[0].size(), MEASURED_VARIANTS));
 	are_carded.assign(samples.size(), false);
@@ -172,6 +181,79 @@ void SpeciesStyle::measure() {
 	for (size_t level = 0; level < samples.size(); level++) {
 		for (SampledPlant &sampled : samples[level]) {
 			sampled.cards = are_carded[level] ? cards : nullptr;
+		}
+	}
+}
+
+void SpeciesStyle::measure_models() {
+	are_carded.assign(samples.size(), false);
+	for (const FieldLevel &level : levels) {
+		float worst = 0.0f;
+		for (const SampledPlant &sampled : samples[0]) {
+			worst = std::max(worst, sampled.model->error(segments_at(level)));
+		}
+		errors.push_back(worst);
+	}
+}
+
+static const SampledPlant *first_sample(const SpeciesStyle &style) {
+	const std::vector<SampledPlant> *from = style.samples.empty() ? &style.nearest : &style.samples[0];
+	from = from->empty() ? &style.nearest : from;
+	return from->empty() ? nullptr : &from->front();
+}
+
+const PlantModel *SpeciesStyle::model() const {
+	const SampledPlant *first = first_sample(*this);
+	return first ? first->model.get() : nullptr;
+}
+
+bool SpeciesStyle::has_one_model() const {
+	const std::vector<SampledPlant> &all = samples.empty() || samples[0].empty() ? nearest : samples[0];
+	return std::all_of(all.begin(), all.end(), [&](const SampledPlant &one) { return one.model == all.front().model; });
+}
+
+float SpeciesStyle::triangles_at(const FieldLevel &level) const {
+	static constexpr float TRIANGLES_OF_VERTEX = 0.85f;
+	const PlantModel *own = model();
+	return own ? float(own->triangles(segments_at(level)))
+			   : TRIANGLES_OF_VERTEX * float(vertex_budget(segments_at(level)));
+}
+
+void SpeciesStyle::find_sources() {
+	sources.clear();
+	surface_sources.assign(samples.size(), {});
+	for (size_t level = 0; level < samples.size(); level++) {
+		for (const SampledPlant &sampled : samples[level]) {
+			std::vector<Ref<Material>> own;
+			sampled.model->list_materials(sampled.lod, own);
+			surface_sources[level].emplace_back();
+			for (const Ref<Material> &material : own) {
+				const auto known = std::find(sources.begin(), sources.end(), material);
+				surface_sources[level].back().push_back(size_t(known - sources.begin()));
+				if (known == sources.end()) {
+					sources.push_back(material);
+				}
+			}
+		}
+	}
+}
+
+Ref<Material> SpeciesStyle::source_material(size_t source, const Ref<Material> &material_override) const {
+	const Ref<Material> own = drawn_material(material_override);
+	return own.is_valid() ? own : sources[source];
+}
+
+RID SpeciesStyle::override_for(size_t material) const {
+	return model() ? RID() : materials[material]->get_rid();
+}
+
+void SpeciesStyle::set_surface_materials() const {
+	for (size_t level = 0; level < meshes.size() && model(); level++) {
+		for (size_t group = 0; group < meshes[level].size(); group++) {
+			const std::vector<size_t> &own = surface_sources[level][group];
+			for (size_t surface = 0; surface < own.size(); surface++) {
+				meshes[level][group]->surface_set_material(int(surface), materials[own[surface] * slots() + level]);
+			}
 		}
 	}
 }
@@ -213,6 +295,9 @@ void SpeciesStyle::build() {
 	}
 	leave_unused();
 	build_meshes();
+	if (model()) {
+		find_sources();
+	}
 	meshes.assign(samples.size(), {});
 	from_above.assign(samples.size(), Vector2());
 	for (size_t level = 0; level < samples.size(); level++) {
@@ -232,7 +317,8 @@ void SpeciesStyle::build_meshes() {
 	std::vector<SharedMesh *> others;
 	for (size_t level = 0; level < samples.size(); level++) {
 		for (const SampledPlant &sampled : samples[level]) {
-			built[level].push_back(SharedMesh::of(sampled));
+			// The surfaces of a model have materials of the field.
+			built[level].push_back(sampled.model ? std::make_shared<SharedMesh>(sampled) : SharedMesh::of(sampled));
 			if (!built[level].back()->try_build()) {
 				others.push_back(built[level].back().get());
 			}
@@ -301,7 +387,7 @@ void SpeciesStyle::read_traits() {
 	motion.collision_radius = float(function->get_collision_radius());
 	motion.trampling = function->make_trampling();
 	motion.lean = std::atan2(motion.joint.rest.z, motion.joint.rest.y);
-	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].grown);
+	motion.has_parts = motion.has_parts || (!samples.empty() && samples[0][0].has_parts());
 	motion.shortest = motion.longest = variants.empty() ? 1.0f : variants[0].height;
 	for (const FieldVariant &variant : variants) {
 		motion.shortest = std::min(motion.shortest, variant.height);

@@ -60,8 +60,11 @@ struct SpeciesStyle {
 	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
 	std::vector<SampledPlant> nearest; ///< Samples of the first level, for plants that get a mesh of their own.
 	std::vector<std::vector<godot::Ref<godot::ArrayMesh>>> meshes; ///< By level and group; null until created.
-	/// By level, and by caster.
+	/// By level, and by caster. Those of a model's further sources follow in the same order.
 	std::vector<godot::Ref<godot::ShaderMaterial>> materials;
+	std::vector<godot::Ref<godot::Material>> sources; ///< Of a model: the materials of its files; empty for others.
+	/// Of a model, by level, group and surface of the mesh: index in `sources`.
+	std::vector<std::vector<std::vector<size_t>>> surface_sources;
 	MotionSpecies motion;
 	bool has_motion = false; ///< True if `motion` was read.
 	bool in_air = false; ///< True if the wind is given in m/s; stems use the constants for it.
@@ -131,8 +134,23 @@ struct SpeciesStyle {
 	bool is_carded(size_t material) const;
 	/// Returns what a material draws.
 	DrawnParts drawn_parts(size_t material) const;
-	/// True if its plants consist of parts.
-	bool has_parts() const { return !nearest.empty() && nearest[0].grown; }
+	/// True if its vertices have the attributes of parts.
+	bool has_parts() const { return !nearest.empty() && nearest[0].has_parts(); }
+	/// The user's mesh of its first variant; null for other species.
+	const PlantModel *model() const;
+	/// True if all variants that are drawn show the same model.
+	bool has_one_model() const;
+	/// Number of materials for one source.
+	size_t slots() const { return levels.size() + casters.size(); }
+	/// Returns the material of a model's source: that of the node, of the function, or of the file.
+	godot::Ref<godot::Material> source_material(
+			size_t source, const godot::Ref<godot::Material> &material_override) const;
+	/// Returns the material for all surfaces of a level's meshes; of a model none, because each surface has its own.
+	godot::RID override_for(size_t material) const;
+	/// Sets the materials of a model's surfaces.
+	void set_surface_materials() const;
+	/// Triangles of a plant at a level.
+	float triangles_at(const FieldLevel &level) const;
 	/// Mean of its variants (m).
 	float mean_height() const;
 	/// Returns the largest distance of the plant's mesh from its root in any pose (m), if it is `widening` times as
@@ -145,6 +163,8 @@ struct SpeciesStyle {
 private:
 	void take_needs(SampledPlant &sampled, const godot::Ref<godot::Material> &material);
 	void build_meshes();
+	void measure_models();
+	void find_sources();
 	LevelLooks measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
 	void measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies);
 	void leave_unused();
