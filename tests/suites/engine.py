@@ -55,6 +55,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "field_scaled": ["gl_compatibility"], "field_materials_in_use": ["gl_compatibility"],
          "fields_together": ["gl_compatibility"],
          "shadows_of_parts_picture": ["gl_compatibility", "forward_plus"],
+         "shadows_picture": ["gl_compatibility", "forward_plus"],
          "ready_species_albedo": ["forward_plus"],
          "guide_shaders_msaa": ["forward_plus"],
          "mesh_plants_picture": ["gl_compatibility", "forward_plus"],
