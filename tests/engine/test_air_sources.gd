@@ -62,6 +62,38 @@ func test_a_rotor_moves_plants_that_follow_prototypes() -> void:
 	check(absf(field.get_tip_position(ids[0]).x - 5.0) < 0.002, "upright when it is off")
 
 
+func test_plants_below_a_rotor_keep_moving() -> void:
+	var rotor := _add_source(PlantWindSource3D.KIND_FAN, Vector3(0, 5, 0))
+	rotor.thrust = 3000.0
+	var plant := _add_plant(Vector3.ZERO)
+	await frames(240)
+	var low := plant.get_tip_position()
+	var high := low
+	for i in 240:
+		await frames(1)
+		low = low.min(plant.get_tip_position())
+		high = high.max(plant.get_tip_position())
+	check(high.x - low.x > 0.02 and high.z - low.z > 0.02, "its tip moves by %s" % (high - low))
+
+
+func test_a_body_above_the_roots_stirs_tall_plants() -> void:
+	var plant := _add_plant(Vector3(0.5, 0, 0))
+	var tips: Array[float] = []
+	for height: float in [0.0, 0.75, 2.5]:
+		var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, height, -8))
+		body.radius = 0.3
+		var maximum := 0.0
+		for i in 120:
+			body.position.z += 0.2
+			await frames(1)
+			maximum = maxf(maximum, plant.get_tip_position().z)
+		body.active = false
+		await frames(600)
+		tips.append(maximum)
+	check_near(tips[1], tips[0], 0.1 * tips[0], "at the height of the plant as at its root")
+	check(tips[2] < 0.2 * tips[1], "little high above it: %s" % [tips])
+
+
 func test_a_body_draws_a_wake_along() -> void:
 	var plant := _add_plant(Vector3(1.5, 0, 0))
 	var body := _add_source(PlantWindSource3D.KIND_WAKE, Vector3(0, 0.5, -8))

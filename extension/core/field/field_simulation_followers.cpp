@@ -195,7 +195,7 @@ template <class Visit> void FieldSimulation::for_each_stirred(int first, int str
 			const glm::vec3 root = page.root(i);
 			glm::vec2 sum(0.0f);
 			for (const AirSource &source : stirring) {
-				const glm::vec3 added = velocity_at(source, root);
+				const glm::vec3 added = velocity_at(source, root, page.length(i));
 				sum += glm::vec2(added.x, added.z);
 			}
 			const float speed = glm::length(sum);

@@ -45,7 +45,7 @@ void PageWind::sample(int begin, int count, BlockWind &block) const {
 		std::copy(block.strengths, block.strengths + count, block.x);
 		make_air(along, drag, count, block.x, block.z);
 	}
-	add_sources(wind.sources, low, high, root_x, y + begin, root_z, count, block.x, block.z);
+	add_sources(wind.sources, low, high, root_x, y + begin, root_z, lengths + begin, count, block.x, block.z);
 	if (is_carried) {
 		subtract_drift(begin, count, block);
 	}

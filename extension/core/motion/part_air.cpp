@@ -36,7 +36,7 @@ float air_speed_at(const WindSnapshot &wind, const PlantWinds &along, const Moti
 		x = speed * along.x;
 		z = speed * along.z;
 	}
-	add_sources(wind.sources, root, root, &root.x, &root.y, &root.z, 1, &x, &z);
+	add_sources(wind.sources, root, root, &root.x, &root.y, &root.z, &length, 1, &x, &z);
 	const float speed = std::hypot(x, z);
 	return std::isfinite(speed) ? speed : 0.0f;
 }

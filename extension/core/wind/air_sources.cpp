@@ -47,19 +47,42 @@ glm::vec3 explosion_at(const AirSource &source, const glm::vec3 &away) {
 	return away * (speed / distance);
 }
 
+/// A sine of parabolas over a turn, by float operations that are the same everywhere.
+float wave(float turns) {
+	const float part = turns - std::floor(turns) - 0.5f;
+	return 8.0f * part * (2.0f * std::fabs(part) - 1.0f);
+}
+
+/// Eddies that a fan's air carries outward, of standard deviation 1 along each axis. `x`, `z` and `far` are in radii of
+/// the spread jet. A place sees each wave pass a whole number of times in EDDY_TURNS.
+glm::vec3 eddies_at(float x, float z, float far, float turns) {
+	constexpr float OVER_DEVIATION = 0.968f; // Of the sum of two waves.
+	const float along_x = wave(0.5f * far + 0.2f * x - turns) + wave(0.3f * far - 0.31f * z - 0.75f * turns + 0.3f);
+	const float along_z =
+			wave(0.4f * far + 0.27f * x - 1.25f * turns + 0.6f) + wave(0.25f * far - 0.23f * z - 0.5f * turns);
+	return glm::vec3(along_x, 0.0f, along_z) * OVER_DEVIATION;
+}
+
 glm::vec3 fan_at(const AirSource &source, const glm::vec3 &away) {
 	const glm::vec3 flat = { away.x, 0.0f, away.z };
 	const float distance = glm::length(flat);
 	const float x = distance / (FAN_SPREAD * source.radius);
-	if (x >= FAN_ENDS || distance <= 0.0f) {
+	if (x >= FAN_ENDS) {
 		return { 0.0f, 0.0f, 0.0f };
 	}
 	const float faded = std::max(x - FAN_FADES, 0.0f) / (FAN_ENDS - FAN_FADES);
 	const float kept = 1.0f - faded * faded;
 	const float free = FREE_DIAMETERS * 2.0f * source.radius;
 	const float arrived = free / std::max(source.height, free);
-	const float speed = 4.0f * source.speed * x / (1.0f + x * x) * kept * kept * arrived;
-	return flat * (speed / distance);
+	const float fastest = 2.0f * source.speed * kept * kept * arrived;
+	const float speed = fastest * 2.0f * x / (1.0f + x * x);
+	const glm::vec3 mean = distance > 0.0f ? flat * (speed / distance) : glm::vec3(0.0f);
+	if (source.unrest <= 0.0f) {
+		return mean;
+	}
+	const float spread = FAN_SPREAD * source.radius;
+	const float swirl = source.unrest * (x < 1.0f ? fastest : speed);
+	return mean + swirl * eddies_at(flat.x / spread, flat.z / spread, x, source.eddies);
 }
 
 glm::vec3 wake_at(const AirSource &source, const glm::vec3 &away) {
@@ -96,6 +119,10 @@ float induced_speed(float thrust, float radius) {
 	return std::sqrt(std::max(thrust, 0.0f) / area);
 }
 
+float eddy_rate(float speed, float radius) {
+	return speed / (FAN_SPREAD * radius);
+}
+
 float reach_of(const AirSource &source) {
 	switch (source.kind) {
 		case AirSource::Kind::explosion:
@@ -116,8 +143,9 @@ bool reaches(const AirSource &source, const glm::vec3 &low, const glm::vec3 &hig
 	return !is_over && glm::length(away) <= reach_of(source);
 }
 
-glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root) {
-	const glm::vec3 away = (root - source.place) * source.scale;
+glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root, float height) {
+	const float y = std::clamp(source.place.y, root.y, root.y + std::max(height, 0.0f));
+	const glm::vec3 away = (glm::vec3(root.x, y, root.z) - source.place) * source.scale;
 	if (glm::length(away) > reach_of(source)) {
 		return { 0.0f, 0.0f, 0.0f };
 	}
@@ -138,14 +166,14 @@ bool any_reaches(const AirSources &sources, const glm::vec3 &low, const glm::vec
 }
 
 void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high, const float *x, const float *y,
-		const float *z, int count, float *out_x, float *out_z) {
+		const float *z, const float *heights, int count, float *out_x, float *out_z) {
 	for (int k = 0; k < sources.count; k++) {
 		const AirSource &source = sources.all[k];
 		if (!reaches(source, low, high)) {
 			continue;
 		}
 		for (int i = 0; i < count; i++) {
-			const glm::vec3 added = velocity_at(source, { x[i], y[i], z[i] });
+			const glm::vec3 added = velocity_at(source, { x[i], y[i], z[i] }, heights[i]);
 			out_x[i] += sources.x_x * added.x + sources.z_x * added.z;
 			out_z[i] += sources.x_z * added.x + sources.z_z * added.z;
 		}

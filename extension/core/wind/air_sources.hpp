@@ -15,7 +15,7 @@ struct AirSource {
 		/// weaker inward (Friedlander's wave without exponentials).
 		explosion,
 		/// Outward along the ground, 2·U·2x/(1 + x²) with x = r/(1.3·radius) (a jet on a wall); inversely
-		/// proportional to the height above six diameters.
+		/// proportional to the height above six diameters. Eddies are added, also in the middle.
 		fan,
 		/// Potential flow about a sphere, and behind it a wake that spreads as r^(1/3) and slows as r^(-2/3).
 		wake,
@@ -31,7 +31,13 @@ struct AirSource {
 	float duration = 0.2f; ///< s, > 0, of an explosion's push.
 	float front = 340.0f; ///< m/s, > 0, of an explosion's front.
 	float height = 0.0f; ///< m of the world, of a fan above the ground.
+	float unrest = 0.0f; ///< Standard deviation of a fan's eddies, over its mean speed or, in the middle, over 2·U.
+	float eddies = 0.0f; ///< Turns of a fan's eddies so far, at eddy_rate(). They repeat after EDDY_TURNS.
 };
+
+constexpr float EDDY_TURNS = 64.0f;
+/// Turns a second of the eddies of a fan with this induced speed (m/s) and radius (m).
+float eddy_rate(float speed, float radius);
 
 /// The speed that a disc of `radius` (m) induces to push with `thrust` (N): √(F/2ρπR²).
 float induced_speed(float thrust, float radius);
@@ -41,13 +47,15 @@ float reach_of(const AirSource &source);
 /// True if the source has an effect anywhere in a box of roots.
 bool reaches(const AirSource &source, const glm::vec3 &low, const glm::vec3 &high);
 
-/// Velocity that the source adds at a root.
-glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root);
+/// Velocity that the source adds to the wind at a plant of `height` (in the units of the axes): where the plant is at
+/// the height of the source, or else at its nearer end.
+glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root, float height = 0.0f);
 
 /// True if any source reaches the box of roots.
 bool any_reaches(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high);
-/// Adds the velocities of all sources that reach the box to out_x and out_z of `count` plants with roots in it.
+/// Adds the velocities of all sources that reach the box to out_x and out_z of `count` plants in it, by their roots and
+/// heights.
 void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high, const float *x, const float *y,
-		const float *z, int count, float *out_x, float *out_z);
+		const float *z, const float *heights, int count, float *out_x, float *out_z);
 
 } // namespace undergrowth

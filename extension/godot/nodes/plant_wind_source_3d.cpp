@@ -21,6 +21,7 @@ static constexpr Range THRUST_RANGE = { 0.0, 1e7 };
 static constexpr Range RADIUS_RANGE = { 0.01, 1000.0 };
 static constexpr Range DURATION_RANGE = { 0.01, 10.0 };
 static constexpr float FASTEST = 150.0f; // m/s; a faster node was moved to another position.
+static constexpr float FAN_UNREST = 0.3f; // Of a jet on a wall.
 static constexpr float EXPLOSION_ENDS = 10.0f; // In durations, without the travel time of the front.
 
 // All sources in a tree. Main thread.
@@ -31,6 +32,7 @@ static std::vector<PlantWindSource3D *> &in_tree() {
 
 PlantWindSource3D::PlantWindSource3D() {
 	air.radius = 3.0f;
+	air.unrest = FAN_UNREST;
 }
 
 bool PlantWindSource3D::stirs_now() const {
@@ -47,6 +49,7 @@ AirSource PlantWindSource3D::at(double ago) const {
 	then.height = std::max(then.place.y, 0.0f);
 	then.speed = air.kind == AirSource::Kind::fan ? induced_speed(thrust, air.radius) : speed;
 	then.age -= float(ago);
+	then.eddies -= float(ago) * eddy_rate(then.speed, air.radius);
 	return then;
 }
 
@@ -98,6 +101,10 @@ void PlantWindSource3D::follow(double delta) {
 		way.begin(place);
 	} else {
 		way.add(delta, place);
+	}
+	if (active && air.kind == AirSource::Kind::fan) {
+		const float turned = float(delta) * eddy_rate(induced_speed(thrust, air.radius), air.radius);
+		air.eddies = std::fmod(air.eddies + turned, EDDY_TURNS);
 	}
 	if (is_exploding) {
 		air.age += float(delta);

@@ -90,6 +90,54 @@ TEST_CASE("a fan's jet ends smoothly at sixteen of its radii, at any height") {
 	}
 }
 
+TEST_CASE("a fan's eddies move plants in the middle of its jet, too, and leave the mean as it is") {
+	AirSource source = source_of(AirSource::Kind::fan);
+	const AirSource steady = source;
+	source.unrest = 0.3f;
+	constexpr int STEPS = 6400; // A hundred in a turn.
+	for (const double x : { 0.0, 0.5, 1.0, 3.0, 7.0 }) {
+		const glm::vec3 place = source.place + glm::vec3(static_cast<float>(x * 2.6), -1.0f, 0.0f);
+		const glm::vec3 mean = velocity_at(steady, place);
+		glm::dvec3 sum(0.0), squares(0.0);
+		for (int i = 0; i < STEPS; i++) {
+			source.eddies = EDDY_TURNS * static_cast<float>(i) / STEPS;
+			const glm::dvec3 apart(velocity_at(source, place) - mean);
+			sum += apart;
+			squares += apart * apart;
+		}
+		const double fastest = 80.0 * (x < 1.0 ? 1.0 : 2.0 * x / (1.0 + x * x));
+		const double deviation = 0.3 * fastest;
+		CHECK(glm::length(sum) / STEPS < 0.01 * deviation);
+		CHECK(std::sqrt(squares.x / STEPS) == doctest::Approx(deviation).epsilon(0.02));
+		CHECK(std::sqrt(squares.z / STEPS) == doctest::Approx(deviation).epsilon(0.02));
+		CHECK(squares.y == 0.0);
+	}
+	source.eddies = 0.37f;
+	AirSource later = source;
+	later.eddies += EDDY_TURNS;
+	const glm::vec3 place = source.place + glm::vec3(1.0f, 0.0f, 2.0f);
+	CHECK(glm::distance(velocity_at(source, place), velocity_at(later, place)) < 0.01f);
+	CHECK(eddy_rate(13.0f, 5.0f) == doctest::Approx(2.0f));
+}
+
+TEST_CASE("a source acts on a plant at its own height, and on its nearer end above and below it") {
+	AirSource source = source_of(AirSource::Kind::wake);
+	source.radius = 0.3f;
+	source.place = { 0.0f, 0.9f, 0.0f };
+	const glm::vec3 root(0.0f, 0.0f, -1.0f); // Behind the body.
+	CHECK(velocity_at(source, root, 1.0f) == velocity_at(source, root + glm::vec3(0.0f, 0.9f, 0.0f)));
+	CHECK(velocity_at(source, root, 0.5f) == velocity_at(source, root + glm::vec3(0.0f, 0.5f, 0.0f)));
+	CHECK(velocity_at(source, root, 1.0f).z > 4.0f * velocity_at(source, root).z);
+	source.place.y = -0.2f;
+	CHECK(velocity_at(source, root, 1.0f) == velocity_at(source, root));
+	const float height = 1.0f;
+	float x = 0.0f, z = 0.0f;
+	source.place.y = 0.9f;
+	const AirSources all = { &source, 1 };
+	add_sources(all, root, root, &root.x, &root.y, &root.z, &height, 1, &x, &z);
+	CHECK(z == velocity_at(source, root, height).z);
+}
+
 TEST_CASE("a body pushes air aside and ahead, and draws a wake along") {
 	const AirSource source = source_of(AirSource::Kind::wake);
 	const glm::vec3 ahead = velocity_at(source, source.place + glm::vec3(0.0f, 0.0f, 4.0f));
