@@ -63,6 +63,42 @@ func test_a_single_plant_in_a_field_leans_as_its_neighbours() -> void:
 	field.free()
 
 
+func test_the_air_in_a_field_is_what_plants_feel() -> void:
+	var wheat := _field([load(WHEAT)], 90.0)
+	wheat.rotation.y = 1.0
+	await _settled(wheat)
+	await frames(4)
+	_wind.direction = 0.0
+	await frames(4)
+	var open := _wind.sample_velocity(wheat.get_motion_time(), Vector3(0, 0.2, 0))
+	var within := wheat.sample_velocity(Vector3.ZERO, 0.2)
+	var outside := wheat.sample_velocity(Vector3(300, 0, 0), 0.2)
+	check(open.length() > 1.0, "wind of open ground: %s" % open)
+	check_near(outside, open, 0.05 * open.length(), "outside of the field")
+	check(within.length() < 0.4 * open.length(), "below the wheat: %s of %s" % [within, open])
+	check(within.angle_to(open) < 0.02, "in the direction of the wind: %s and %s" % [within, open])
+	var rotor := PlantWindSource3D.new()
+	rotor.kind = PlantWindSource3D.KIND_FAN
+	rotor.thrust = 20000.0
+	rotor.position = Vector3(-4, 5, 0)
+	root.add_child(rotor)
+	await frames(4)
+	var stirred := wheat.sample_velocity(Vector3.ZERO, 0.2)
+	check(stirred.x > within.x + 5.0, "outward from a rotor: %s" % stirred)
+	rotor.free()
+	wheat.sample_velocity(Vector3.INF, 1.0)
+	check_error("sample_velocity() needs a finite position and a height")
+	wheat.sample_velocity(Vector3.ZERO, -1.0)
+	check_error("sample_velocity() needs a finite position and a height")
+	_wind.kind = PlantWind.KIND_CONSTANT
+	wheat.sample_velocity(Vector3.ZERO, 1.0)
+	check_error("sample_velocity() needs a wind of KIND_AIR")
+	wheat.wind = null
+	await frames(4)
+	check_equal(wheat.sample_velocity(Vector3.ZERO, 1.0), Vector3.ZERO, "without wind")
+	wheat.free()
+
+
 ## Returns how far the wind moves the tips of clover, in heights, with this density of wheat.
 func _clover_lean(wheat: float) -> float:
 	var clover: PlantFunction = load(CLOVER)

@@ -185,6 +185,9 @@ public:
 
 	/// Speed (m/s) of the wind at the middle of the field now, at the tops of a species, without sources.
 	float air_speed(int species) const;
+	/// Velocity (m/s, x and z of the field) of the air now at a plant of `height` metres at `root` that does not belong
+	/// to the field, sheltered by its plants, with sources. The wind is in m/s.
+	glm::vec2 air_around(const glm::vec3 &root, float height) const;
 	/// Speed (m/s) of the strongest source that reaches the field; 0: none.
 	float stirred_speed() const;
 	/// As CanopyGrid::around(). Any thread, also during steps.

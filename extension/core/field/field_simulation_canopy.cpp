@@ -66,6 +66,13 @@ float FieldSimulation::air_speed(int species) const {
 	return air_speed_at(wind_at_time(blowing, along, time()), along, kind, taller, kind.canopy_height, middle);
 }
 
+glm::vec2 FieldSimulation::air_around(const glm::vec3 &root, float height) const {
+	WindSnapshot now = wind_at_time(blowing, along, time());
+	now.sources = { stirring.data(), static_cast<int>(stirring.size()) };
+	const PlantCanopy grown = canopy.around(root, height, -1);
+	return air_at(now, along, grown.height, grown.taller, height, root);
+}
+
 float FieldSimulation::stirred_speed() const {
 	float fastest = 0.0f;
 	for (const AirSource &source : stirring) {

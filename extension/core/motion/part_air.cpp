@@ -3,6 +3,8 @@
 #include "motion/joint_constants.hpp"
 #include "wind/air_sources.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,24 +22,35 @@ float newtons_of_air(const MotionSpecies &species) {
 
 } // namespace
 
+static void add_sources_at(const WindSnapshot &wind, float length, const glm::vec3 &root, glm::vec2 &velocity) {
+	add_sources(wind.sources, root, root + glm::vec3(0.0f, length, 0.0f), &root.x, &root.y, &root.z, &length, 1,
+			&velocity.x, &velocity.y);
+}
+
+glm::vec2 air_at(const WindSnapshot &wind, const PlantWinds &along, float canopy_height, const TallerPlants &taller,
+		float length, const glm::vec3 &root) {
+	glm::vec2 velocity(0.0f);
+	const AirMoments moments = moments_among(wind.air, canopy_height, taller, along);
+	const float *alone = canopy_height > 0.0f ? nullptr : &length;
+	sample_air(wind, moments, &root.x, &root.z, alone, 1, &velocity.x, &velocity.y, SimdLevel::baseline);
+	add_sources_at(wind, length, root, velocity);
+	return velocity;
+}
+
 float air_speed_at(const WindSnapshot &wind, const PlantWinds &along, const MotionSpecies &species,
 		const TallerPlants &taller, float length, const glm::vec3 &root) {
-	float x = 0.0f;
-	float z = 0.0f;
+	glm::vec2 velocity(0.0f);
 	if (wind.is_air) {
-		const AirMoments moments = moments_among(wind.air, species.canopy_height, taller, along);
-		const float *alone = species.canopy_height > 0.0f ? nullptr : &length;
-		sample_air(wind, moments, &root.x, &root.z, alone, 1, &x, &z, SimdLevel::baseline);
+		velocity = air_at(wind, along, species.canopy_height, taller, length, root);
 	} else {
 		float newtons = 0.0f;
 		wind_kernels(SimdLevel::baseline).sample(wind, &root.x, &root.z, 1, &newtons);
 		const float drag = newtons_of_air(species);
 		const float speed = drag > 0.0f ? std::sqrt(std::max(newtons, 0.0f) / drag) : 0.0f;
-		x = speed * along.x;
-		z = speed * along.z;
+		velocity = speed * glm::vec2(along.x, along.z);
+		add_sources_at(wind, length, root, velocity);
 	}
-	add_sources(wind.sources, root, root, &root.x, &root.y, &root.z, &length, 1, &x, &z);
-	const float speed = std::hypot(x, z);
+	const float speed = glm::length(velocity);
 	return std::isfinite(speed) ? speed : 0.0f;
 }
 

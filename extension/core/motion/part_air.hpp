@@ -3,7 +3,15 @@
 #include "motion/motion_species.hpp"
 #include "wind/air.hpp"
 
+#include <glm/vec2.hpp>
+
 namespace undergrowth {
+
+/// Velocity (m/s, x and z of the axes of `wind`) of the air that moves a plant of `length` metres at `root`, with its
+/// sources and gusts. The plant is in a canopy of `canopy_height`, or isolated at 0, among `taller` plants. The wind is
+/// in m/s.
+glm::vec2 air_at(const WindSnapshot &wind, const PlantWinds &along, float canopy_height, const TallerPlants &taller,
+		float length, const glm::vec3 &root);
 
 /// Speed (m/s) of the wind at the top of a plant of `length` metres at `root`, in the axes of `wind`, with its sources
 /// and gusts. A wind in newtons counts as the air that bends the species as far.

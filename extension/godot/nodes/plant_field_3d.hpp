@@ -136,6 +136,7 @@ public:
 	PlantCanopy canopy_around(
 			const godot::Vector3 &place, const godot::Ref<PlantFunction> &function, float height) const;
 	bool is_point_in_plants(const godot::Vector3 &point) { return plants.is_point_in(point, properties.touch_margin); }
+	godot::Vector3 sample_velocity(const godot::Vector3 &root, double height);
 	void reset_motion();
 	/// s of the wind's clock, of the states and tips of plants.
 	double get_motion_time() const { return runtime.motion.motion_time(); }

@@ -19,6 +19,25 @@ void PlantField3D::reset_motion() {
 	runtime.settle();
 }
 
+Vector3 PlantField3D::sample_velocity(const Vector3 &root, double height) {
+	static constexpr double MAX_HEIGHT = 1e4; // m.
+	if (!root.is_finite() || !(height >= 0.0 && height <= MAX_HEIGHT)) {
+		report_error(this, "sample_velocity() needs a finite position and a height from 0 to 10000 metres.");
+		return Vector3();
+	}
+	if (properties.wind.is_valid() && !PlantWind::is_air(properties.wind)) {
+		report_error(this,
+				"sample_velocity() needs a wind of KIND_AIR: other kinds are forces. Set its kind, or call its "
+				"sample().");
+		return Vector3();
+	}
+	const Transform3D axes = get_global_transform();
+	const float scale = float(axes.basis.get_scale().y);
+	const Vector3 air = runtime.motion.blocking_air_around(
+			axes.affine_inverse().xform(root), float(scale > 0.0f ? height / scale : height));
+	return axes.basis.orthonormalized().xform(air);
+}
+
 void PlantField3D::preview(double delta, const Ref<PlantWind> &blowing) {
 	static constexpr double MAX_FRAME_TIME = 3600.0; // s.
 	// Tools call it in every frame, like Plant3D's. A field that cannot move stays still without an error.
@@ -248,6 +267,7 @@ void PlantField3D::_bind_methods() {
 	OF_PLANTS(get_motion_state, motion_state, "ids");
 	OF_PLANTS(set_motion_state, set_motion_state, "ids", "state");
 	BIND(reset_motion);
+	BIND(sample_velocity, "root", "height");
 	BIND(get_motion_time);
 	OF_PLANTS(get_skeleton, skeleton, "id");
 	BIND(get_skeleton_plant, "skeleton");

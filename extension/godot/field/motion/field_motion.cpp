@@ -361,6 +361,12 @@ void FieldMotion::apply_impulse(const PlantRef &ref, const glm::vec3 &impulse) {
 	simulation->apply_impulse(rows_of(ref.chunk).page, row_of(ref), impulse);
 }
 
+Vector3 FieldMotion::blocking_air_around(const Vector3 &root, float height) {
+	wait();
+	const glm::vec2 air = simulation ? simulation->air_around(to_glm(root), height) : glm::vec2(0.0f);
+	return Vector3(air.x, 0.0f, air.y);
+}
+
 bool FieldMotion::blocking_is_point_in_plants(const glm::vec3 &point, float margin) {
 	wait();
 	return simulation && simulation->is_point_in_plants(point, margin);

@@ -143,6 +143,8 @@ public:
 	PlantCanopy canopy_around(const glm::vec3 &place, float height, int species) const {
 		return simulation ? simulation->canopy_around(place, height, species) : PlantCanopy();
 	}
+	/// As FieldSimulation::air_around(), as a vector of the field's axes; 0 before the field is built.
+	godot::Vector3 blocking_air_around(const godot::Vector3 &root, float height);
 	bool blocking_is_point_in_plants(const glm::vec3 &point, float margin);
 	void write_state(const PlantRef &ref, const MotionState &state);
 	/// Lasting bends of a chunk's plants, by slot. Empty if it has none.
