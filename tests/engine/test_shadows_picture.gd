@@ -55,10 +55,12 @@ func test_each_camera_has_shadows_around_it() -> void:
 	var camera := Camera3D.new()
 	other.add_child(camera)
 	stage.add_child(other)
-	camera.look_at_from_position(Vector3(-0.4 * SIZE, 1.2, 0), Vector3(-0.4 * SIZE, 0, -1.5))
-	_look_from(Vector3(0.4 * SIZE, 1.2, 0))
-	await settled(_field)
-	check(await _count_shadows() > MIN_SHADOW, "shadows around the second camera")
+	for side: float in [1.0, -1.0]:
+		var place := Vector3(0.4 * side * SIZE, 1.2, 0)
+		camera.look_at_from_position(Vector3(-place.x, place.y, 0), Vector3(-place.x, 0, -1.5))
+		_look_from(place)
+		await settled(_field)
+		check(await _count_shadows() > MIN_SHADOW, "shadows at x = %.0f" % place.x)
 
 
 func test_added_and_removed_plants_change_the_shadows() -> void:
