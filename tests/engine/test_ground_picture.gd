@@ -14,7 +14,7 @@ const HEIGHT := 4.0
 ## Of a field that ends near the camera, and of a person. The colours of near plants vary more.
 const NEAR_END := 12.0
 const NEAR_HEIGHT := 1.7
-const NEAR_COLOR := 7.0
+const NEAR_COLOR := 7.5
 ## Deviation of the lightness of the ground, as a share of that of the plants.
 const MIN_DETAIL := 0.35
 
