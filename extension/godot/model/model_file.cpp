@@ -1,6 +1,7 @@
 #include "model/model_file.hpp"
 
 #include "base/messages.hpp"
+#include "model/surface_arrays.hpp"
 
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/importer_mesh.hpp>
@@ -58,25 +59,9 @@ static void transform(const Transform3D &by, Array &arrays) {
 	}
 	arrays[Mesh::ARRAY_VERTEX] = positions;
 	const Basis of_normals = by.basis.inverse().transposed();
-	if (arrays[Mesh::ARRAY_NORMAL].get_type() == Variant::PACKED_VECTOR3_ARRAY) {
-		PackedVector3Array normals = arrays[Mesh::ARRAY_NORMAL];
-		Vector3 *to = normals.ptrw();
-		for (int64_t i = 0; i < normals.size(); i++) {
-			to[i] = of_normals.xform(to[i]).normalized();
-		}
-		arrays[Mesh::ARRAY_NORMAL] = normals;
-	}
-	if (arrays[Mesh::ARRAY_TANGENT].get_type() == Variant::PACKED_FLOAT32_ARRAY) {
-		PackedFloat32Array tangents = arrays[Mesh::ARRAY_TANGENT];
-		float *to = tangents.ptrw();
-		for (int64_t i = 0; i + 3 < tangents.size(); i += 4) {
-			const Vector3 turned = by.basis.xform(Vector3(to[i], to[i + 1], to[i + 2])).normalized();
-			to[i] = turned.x;
-			to[i + 1] = turned.y;
-			to[i + 2] = turned.z;
-		}
-		arrays[Mesh::ARRAY_TANGENT] = tangents;
-	}
+	map_directions(
+			arrays, [&](const Vector3 &normal) { return of_normals.xform(normal).normalized(); },
+			[&](const Vector3 &tangent) { return by.basis.xform(tangent).normalized(); });
 }
 
 // A mirrored node draws its triangles the other way round.

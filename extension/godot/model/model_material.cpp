@@ -16,7 +16,6 @@ using namespace godot;
 namespace undergrowth {
 
 static const char *const FOLDER = "res://addons/undergrowth/shaders/";
-static const char *const OWN_PREFIX = "undergrowth_"; // Prefix of parameters that the field sets.
 
 // All shaders by their code. A pointer, because references cannot exist before the engine's interface is loaded.
 static std::map<std::string, Ref<Shader>> *shaders = nullptr;
@@ -183,36 +182,28 @@ static String with_bend(const String &code) {
 			code.substr(vertex, body + 1 - vertex) + String(" UNDERGROWTH_BEND\n") + code.substr(body + 1);
 }
 
-static void take_over(const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made) {
-	const Ref<Shader> own = source->get_shader();
-	const Ref<Shader> shader = shader_of(with_bend(own.is_valid() ? own->get_code() : "shader_type spatial;"));
-	if (made->get_shader() != shader) {
-		made->set_shader(shader);
-	}
-	const Array uniforms = own.is_valid() ? own->get_shader_uniform_list() : Array();
-	for (int64_t i = 0; i < uniforms.size(); i++) {
-		const Dictionary uniform = uniforms[i];
-		const String name = uniform["name"];
-		if (!name.begins_with(OWN_PREFIX)) {
-			set_parameter(made, name, source->get_shader_parameter(name));
-		}
-	}
+static Ref<BaseMaterial3D> plain_of(const Ref<Material> &source) {
+	const Ref<BaseMaterial3D> plain = source;
+	return plain.is_valid() ? plain : Ref<BaseMaterial3D>(new_counted<StandardMaterial3D>());
 }
 
-void follow_model_material(const Ref<Material> &source, const Ref<ShaderMaterial> &made) {
+Ref<Shader> model_shader(const Ref<Material> &source) {
+	const Ref<ShaderMaterial> own = source;
+	if (own.is_null()) {
+		return shader_of(code_of(*plain_of(source).ptr()));
+	}
+	const Ref<Shader> shader = own->get_shader();
+	return shader_of(with_bend(shader.is_valid() ? shader->get_code() : "shader_type spatial;"));
+}
+
+void follow_model_material(const Ref<Material> &source, const Ref<Shader> &shader, const Ref<ShaderMaterial> &made) {
 	const Ref<ShaderMaterial> own = source;
 	if (own.is_valid()) {
-		take_over(own, made);
+		take_over(own, shader, made);
 		return;
 	}
-	Ref<BaseMaterial3D> plain = source;
-	if (plain.is_null()) {
-		plain = Ref<BaseMaterial3D>(new_counted<StandardMaterial3D>());
-	}
-	const Ref<Shader> shader = shader_of(code_of(*plain.ptr()));
-	if (made->get_shader() != shader) {
-		made->set_shader(shader);
-	}
+	const Ref<BaseMaterial3D> plain = plain_of(source);
+	set_shader(made, shader);
 	copy_textures(plain, made);
 	copy_values(plain, made);
 }
@@ -222,7 +213,7 @@ Ref<ShaderMaterial> make_model_material(const Ref<Material> &source) {
 	if (source.is_valid()) {
 		made->set_render_priority(source->get_render_priority());
 	}
-	follow_model_material(source, made);
+	follow_model_material(source, model_shader(source), made);
 	return made;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <godot_cpp/classes/material.hpp>
+#include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/classes/shader_material.hpp>
 
 namespace undergrowth {
@@ -12,8 +13,11 @@ namespace undergrowth {
 /// Null: white.
 godot::Ref<godot::ShaderMaterial> make_model_material(const godot::Ref<godot::Material> &source);
 
-/// Copies the user's changes of `source` to `made`.
-void follow_model_material(const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made);
+/// Returns the shader of such a material, shared by all that have the same code.
+godot::Ref<godot::Shader> model_shader(const godot::Ref<godot::Material> &source);
+/// Copies the user's changes of `source` to `made`. `shader`: model_shader(source).
+void follow_model_material(const godot::Ref<godot::Material> &source, const godot::Ref<godot::Shader> &shader,
+		const godot::Ref<godot::ShaderMaterial> &made);
 
 /// Frees the shaders that all models share. When the library ends.
 void free_model_shaders();

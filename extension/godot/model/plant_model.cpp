@@ -3,7 +3,7 @@
 #include "base/convert.hpp"
 #include "mesh/joint_binding.hpp"
 #include "model/model_bones.hpp"
-#include "model/used_vertices.hpp"
+#include "model/surface_arrays.hpp"
 #include "species/sampled_plant.hpp"
 
 #include <algorithm>
@@ -70,28 +70,6 @@ static PackedFloat32Array floats_of(const std::vector<glm::vec4> &from, size_t f
 	return made;
 }
 
-static void turn_directions(const ModelFrame &frame, Array &arrays) {
-	if (arrays[Mesh::ARRAY_NORMAL].get_type() == Variant::PACKED_VECTOR3_ARRAY) {
-		PackedVector3Array normals = arrays[Mesh::ARRAY_NORMAL];
-		Vector3 *to = normals.ptrw();
-		for (int64_t i = 0; i < normals.size(); i++) {
-			to[i] = to_godot(frame.direction_of(to_glm(to[i])));
-		}
-		arrays[Mesh::ARRAY_NORMAL] = normals;
-	}
-	if (arrays[Mesh::ARRAY_TANGENT].get_type() == Variant::PACKED_FLOAT32_ARRAY) {
-		PackedFloat32Array tangents = arrays[Mesh::ARRAY_TANGENT];
-		float *to = tangents.ptrw();
-		for (int64_t i = 0; i + 3 < tangents.size(); i += 4) {
-			const glm::vec3 turned = frame.direction_of({ to[i], to[i + 1], to[i + 2] });
-			to[i] = turned.x;
-			to[i + 1] = turned.y;
-			to[i + 2] = turned.z;
-		}
-		arrays[Mesh::ARRAY_TANGENT] = tangents;
-	}
-}
-
 // Files without normals are lit from above.
 static PackedVector3Array upward(int64_t count) {
 	PackedVector3Array normals;
@@ -109,7 +87,8 @@ void PlantModel::add_level(const std::vector<FileSurface> &surfaces, ModelMotion
 		own.material = surface.material;
 		own.arrays = surface.arrays.duplicate();
 		const size_t count = size_t(PackedVector3Array(own.arrays[Mesh::ARRAY_VERTEX]).size());
-		turn_directions(frame, own.arrays);
+		const auto turn = [this](const Vector3 &way) { return to_godot(frame.direction_of(to_glm(way))); };
+		map_directions(own.arrays, turn, turn);
 		if (own.arrays[Mesh::ARRAY_NORMAL].get_type() != Variant::PACKED_VECTOR3_ARRAY) {
 			own.arrays[Mesh::ARRAY_NORMAL] = upward(int64_t(count));
 		}

@@ -45,12 +45,14 @@ static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn, bool 
 	return drawn == DrawnParts::with_cards ? cards_shader() : shadows_shader();
 }
 
-static void take_over(
-		const Ref<ShaderMaterial> &source, const Ref<ShaderMaterial> &made, DrawnParts drawn, bool is_packed) {
-	const Ref<Shader> shader = version_of(source->get_shader(), drawn, is_packed);
-	if (made->get_shader() != shader) {
-		made->set_shader(shader);
+void set_shader(const Ref<ShaderMaterial> &material, const Ref<Shader> &shader) {
+	if (material->get_shader() != shader) {
+		material->set_shader(shader);
 	}
+}
+
+void take_over(const Ref<ShaderMaterial> &source, const Ref<Shader> &shader, const Ref<ShaderMaterial> &made) {
+	set_shader(made, shader);
 	const Array uniforms = shader.is_valid() ? shader->get_shader_uniform_list() : Array();
 	for (int64_t i = 0; i < uniforms.size(); i++) {
 		const Dictionary uniform = uniforms[i];
@@ -65,7 +67,7 @@ void follow_material(const Ref<Material> &source, const Ref<ShaderMaterial> &mad
 	const Ref<ShaderMaterial> own = source;
 	const Ref<BaseMaterial3D> plain = source;
 	if (own.is_valid()) {
-		take_over(own, made, drawn, is_packed);
+		take_over(own, version_of(own->get_shader(), drawn, is_packed), made);
 	} else if (plain.is_valid()) {
 		take_over(plain, made);
 	}

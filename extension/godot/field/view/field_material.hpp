@@ -22,6 +22,11 @@ godot::Ref<godot::ShaderMaterial> make_field_material(
 void follow_material(const godot::Ref<godot::Material> &source, const godot::Ref<godot::ShaderMaterial> &made,
 		DrawnParts drawn, bool is_packed);
 
+/// Sets a shader if it differs.
+void set_shader(const godot::Ref<godot::ShaderMaterial> &material, const godot::Ref<godot::Shader> &shader);
+/// Sets the shader of `made` and copies its parameters from `source`, except those that the field sets.
+void take_over(const godot::Ref<godot::ShaderMaterial> &source, const godot::Ref<godot::Shader> &shader,
+		const godot::Ref<godot::ShaderMaterial> &made);
 /// Sets a shader parameter if its value differs, because writing a parameter costs more than reading it.
 void set_parameter(
 		const godot::Ref<godot::ShaderMaterial> &material, const godot::StringName &name, const godot::Variant &value);

@@ -1,5 +1,4 @@
 #include "field/view/field_materials.hpp"
-#include "base/convert.hpp"
 
 #include "base/convert.hpp"
 #include "base/messages.hpp"
@@ -198,13 +197,23 @@ void FieldMaterials::follow(const FieldRenderSetup &setup) {
 	if (style.needs_other_meshes(source)) {
 		return; // Until the next build.
 	}
+	if (style.model()) {
+		follow_models(style);
+		return;
+	}
 	for (size_t i = 0; i < style.materials.size(); i++) {
-		if (style.model()) {
-			follow_model_material(
-					style.source_material(i / style.slots(), node->get_material_override()), style.materials[i]);
-			continue;
-		}
 		follow_material(source, style.materials[i], style.drawn_parts(i), style.is_packed);
+	}
+}
+
+// The code of a shader is made once for all materials of a source.
+void FieldMaterials::follow_models(const SpeciesStyle &style) const {
+	for (size_t first = 0; first < style.materials.size(); first += style.slots()) {
+		const Ref<Material> source = style.source_material(first / style.slots(), node->get_material_override());
+		const Ref<Shader> shader = model_shader(source);
+		for (size_t i = first; i < std::min(first + style.slots(), style.materials.size()); i++) {
+			follow_model_material(source, shader, style.materials[i]);
+		}
 	}
 }
 

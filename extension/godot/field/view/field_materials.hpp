@@ -68,6 +68,7 @@ private:
 
 	void forget_sent();
 	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;
+	void follow_models(const SpeciesStyle &style) const;
 	void list_swinging(const FieldRenderSetup &setup);
 	void send_stem(const SpeciesStyle &style) const;
 	godot::Ref<godot::ShaderMaterial> make_one(const SpeciesStyle &style, size_t level) const;

@@ -1,4 +1,4 @@
-#include "model/used_vertices.hpp"
+#include "model/surface_arrays.hpp"
 
 #include <godot_cpp/classes/mesh.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
