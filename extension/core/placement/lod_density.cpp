@@ -23,6 +23,14 @@ float plant_rank(PlantId id) {
 	return static_cast<float>((number * GOLDEN_RATIO) >> (64 - RANK_BITS)) / static_cast<float>(RANK_COUNT);
 }
 
+LodDensity LodDensity::scaled(float factor) const {
+	LodDensity made = *this;
+	for (float &distance : made.distances) {
+		distance *= factor;
+	}
+	return made;
+}
+
 float LodDensity::density_at(float distance) const {
 	const int first = distance < distances[1] ? 0 : 1;
 	const float length = distances[first + 1] - distances[first];

@@ -30,6 +30,8 @@ struct LodDensity {
 		return std::equal(distances, distances + 3, other.distances) &&
 				std::equal(densities, densities + 3, other.densities);
 	}
+	/// The same densities at `factor` times the distances.
+	LodDensity scaled(float factor) const;
 	/// True if any plant is ever removed.
 	bool is_any() const { return densities[0] < 1.0f || densities[1] < 1.0f || densities[2] < 1.0f; }
 	float density_at(float distance) const;

@@ -160,16 +160,7 @@ static void set_near(const LevelRule &rule, const SpeciesStyle &style, std::vect
 }
 
 // Density of the plants that cast shadows. The others are wider.
-static LodDensity density_of_shadows(float lod_bias) {
-	LodDensity made;
-	const float distances[3] = { 3.5f, 9.0f, 27.0f };
-	const float densities[3] = { 1.0f, 0.33f, 0.08f };
-	for (int i = 0; i < 3; i++) {
-		made.distances[i] = distances[i] * lod_bias;
-		made.densities[i] = densities[i];
-	}
-	return made;
-}
+static const LodDensity DENSITY_OF_SHADOWS = { { 3.5f, 9.0f, 27.0f }, { 1.0f, 0.33f, 0.08f } };
 
 // A level with few vertices casts the shadows of the nearest plants, and the last level those of the others.
 static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<FieldLevel> &levels) {
@@ -186,7 +177,7 @@ static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<
 	if (end <= 0.0f) {
 		return;
 	}
-	const LodDensity lod_density = density_of_shadows(rule.lod_bias);
+	const LodDensity lod_density = DENSITY_OF_SHADOWS.scaled(rule.lod_bias);
 	float begin = 0.0f;
 	if (near != levels.end() && &*near != &*last) {
 		begin = std::min(near_end, end);
@@ -207,9 +198,7 @@ static void set_for_model(const SpeciesStyle &style, std::vector<FieldLevel> &le
 		level.halvings = has_one ? NO_VARIANTS : level.halvings;
 		level.min_variants = has_one ? 1 : style.variant_count;
 		level.casts_shadows = level.is_used;
-		for (float &distance : level.lod_density.distances) {
-			distance *= taller;
-		}
+		level.lod_density = level.lod_density.scaled(taller);
 	}
 }
 

@@ -95,16 +95,7 @@ static LodDensity density_between(const LodDensity *before, float begin, float e
 }
 
 // Density by distance of plants of parts. The same at all levels.
-static LodDensity usual_thinning(float lod_bias) {
-	LodDensity made;
-	const float distances[3] = { 8.0f, 22.0f, 60.0f };
-	const float densities[3] = { 1.0f, 0.5f, 0.12f };
-	for (int i = 0; i < 3; i++) {
-		made.distances[i] = distances[i] * lod_bias;
-		made.densities[i] = densities[i];
-	}
-	return made;
-}
+static const LodDensity USUAL_THINNING = { { 8.0f, 22.0f, 60.0f }, { 1.0f, 0.5f, 0.12f } };
 
 static float pixel_error_of(const ViewOptions &options) {
 	static constexpr double PIXELS_OF_THRESHOLD = 2.0;
@@ -140,7 +131,7 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		const bool is_last =
 				i + 1 == listed.size() || level.end <= level.begin || (range.end > 0.0f && level.end >= range.end);
 		level.lod_density = rule.is_by_error
-				? usual_thinning(range.lod_bias)
+				? USUAL_THINNING.scaled(range.lod_bias)
 				: density_between(i > 0 ? &made.back().lod_density : nullptr, level.begin, level.end, listed[i].share);
 		level.affects_lathes = !options.levels.is_empty();
 		level.end = is_last ? range.end : level.end;

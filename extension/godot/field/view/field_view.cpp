@@ -246,7 +246,8 @@ void FieldView::set_transform(const Transform3D &transform) {
 			set_range(batch, level);
 		}
 	});
-	pass_surroundings();
+	near.set_transform(around.placed);
+	shadows.set_transform(around.placed);
 }
 
 Transform3D FieldView::place_of(const Batch &batch) const {

@@ -82,9 +82,7 @@ void NearPlants::bind(const FieldRenderSetup &setup) {
 				band.near = std::max(level.begin - level.margin - SLACK, 0.0f);
 				band.far = level.end + SLACK;
 				band.material = style.materials[i]->get_rid();
-				for (const FieldVariant &variant : style.variants) {
-					band.heights.push_back(variant.height);
-				}
+				band.heights = style.variant_heights();
 				for (const Ref<ArrayMesh> &mesh : style.meshes[i]) {
 					band.lists.push_back({ PlantList(mesh->get_rid(), setup.instance_floats()), {}, false });
 				}
@@ -203,13 +201,12 @@ void NearPlants::put_in(Band &band, NearSquare &square, int cell, const std::vec
 			continue;
 		}
 		drawn |= band.bit;
-		List &list = band.lists[square.variants[size_t(plant)] % band.lists.size()];
-		float *to = list.drawn.plants.add(1);
-		std::copy_n(square.instances.ptr() + int64_t(plant) * square.stride, square.stride, to);
-		const size_t variant = square.variants[size_t(plant)] % band.heights.size();
-		to[square.stride - 1] *= band.heights[variant] / band.heights[variant % band.lists.size()];
-		list.slots.push_back({ &square, plant });
-		list.is_changed = true;
+		square.write(plant, 1, band.heights, band.lists.size(), [&](size_t mesh) {
+			List &list = band.lists[mesh];
+			list.slots.push_back({ &square, plant });
+			list.is_changed = true;
+			return list.drawn.plants.add(1);
+		});
 	}
 }
 
@@ -225,9 +222,14 @@ void NearPlants::show(Band &band, const AABB &box) {
 }
 
 void NearPlants::follow(const ListSurroundings &now) {
-	is_due = is_due || now.placed != around.placed;
 	around = now;
 	for_each_list([this](const Band &band, const List &list) { set_look(band, list); });
+}
+
+void NearPlants::set_transform(const Transform3D &placed) {
+	is_due = is_due || placed != around.placed;
+	around.placed = placed;
+	for_each_list([this](const Band &, const List &list) { place(list); });
 }
 
 void NearPlants::set_tilt(float now) {

@@ -22,7 +22,9 @@ public:
 	/// turned.
 	void update(const std::vector<DrawingCamera> &cameras);
 
+	/// Applies all of `now`. If only the place has changed, set_transform() costs less.
 	void follow(const ListSurroundings &now);
+	void set_transform(const godot::Transform3D &placed);
 	/// As FieldView::set_tilt().
 	void set_tilt(float tilt);
 

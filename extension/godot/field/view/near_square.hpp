@@ -23,7 +23,7 @@ struct NearSquare {
 	int species = 0;
 	int stride = 0; ///< Floats per plant, as in a multimesh.
 	godot::PackedFloat32Array instances;
-	std::vector<uint16_t> variants; ///< By plant.
+	std::vector<uint16_t> variants; ///< By plant: less than the number of the species' variants.
 	glm::vec2 low = { 0.0f, 0.0f }; ///< m, of the first cell.
 	int columns = 0;
 	int rows = 0;
@@ -37,6 +37,11 @@ struct NearSquare {
 		const float *own = instances.ptr() + int64_t(plant) * stride;
 		return godot::Vector3(own[3], own[7], own[11]);
 	}
+	/// Writes the instances of `count` plants, for the meshes of some variants: mesh i is that of variant i, and
+	/// variant v is drawn by mesh v % `meshes`. `heights`: m, of all variants. `add(mesh)` returns where one plant is
+	/// written.
+	template <class Add>
+	void write(int first, int count, const std::vector<float> &heights, size_t meshes, const Add &add) const;
 	/// Around the roots of all plants.
 	godot::AABB box() const;
 	/// The same for a cell, which may be larger.
@@ -48,6 +53,18 @@ struct NearSquare {
 	/// Calls visit(cell) for the cells that a square of side 2 * far around `place` (m, field axes) meets.
 	template <class Visit> void for_each_cell(const godot::Vector3 &place, float far, const Visit &visit) const;
 };
+
+template <class Add>
+void NearSquare::write(int first, int count, const std::vector<float> &heights, size_t meshes, const Add &add) const {
+	const float *from = instances.ptr() + int64_t(first) * stride;
+	for (int plant = first; plant < first + count; plant++, from += stride) {
+		const size_t variant = variants[size_t(plant)];
+		const size_t mesh = variant % meshes;
+		float *to = add(mesh);
+		std::copy_n(from, stride, to);
+		to[stride - 1] *= heights[variant] / heights[mesh];
+	}
+}
 
 template <class Visit>
 void NearSquare::for_each_cell(const godot::Vector3 &place, float far, const Visit &visit) const {

@@ -12,25 +12,24 @@ namespace undergrowth {
 
 static constexpr float STEP = 1.0f; // m that a camera moves before plants are listed again.
 static constexpr float SLACK = 1.5f; // m by which plants are listed earlier than they are needed.
-static constexpr int MAX_PLANTS =
-		2500; // After so many in a frame, the renderer gets the remaining lists in later ones.
+static constexpr int MAX_PLANTS = 2500; // After so many in a frame, the remaining lists are shown in later ones.
 
-struct ShadowPlants::Sight {
-	Vector3 place; // Field axes.
-	float begin; // m, in the field's axes, as `end`.
-	float end;
-	float metres; // Length of a unit of the field's axes, or less.
+ShadowPlants::Sight::Sight(const DrawingCamera &camera, const Transform3D &placed, const ShadowCaster &caster) {
+	const Transform3D to_field = placed.affine_inverse();
+	const Vector3 scale = to_field.basis.get_scale().abs();
+	const float longest = float(std::max({ scale.x, scale.y, scale.z }));
+	place = to_field.xform(camera.place);
+	begin = std::max(caster.begin - SLACK, 0.0f) * float(std::min({ scale.x, scale.y, scale.z }));
+	end = (caster.end + SLACK) * longest;
+	metres = 1.0f / longest;
+}
 
-	Sight(const DrawingCamera &camera, const Transform3D &placed, const ShadowCaster &caster) {
-		const Transform3D to_field = placed.affine_inverse();
-		const Vector3 scale = to_field.basis.get_scale().abs();
-		const float longest = float(std::max({ scale.x, scale.y, scale.z }));
-		place = to_field.xform(camera.place);
-		begin = std::max(caster.begin - SLACK, 0.0f) * float(std::min({ scale.x, scale.y, scale.z }));
-		end = (caster.end + SLACK) * longest;
-		metres = 1.0f / longest;
-	}
-};
+// Another scale changes the distances.
+bool ShadowPlants::Sight::covers(const Sight &now) const {
+	const float error = 1e-3f * end; // A field that turns has rounding errors.
+	return place.distance_to(now.place) * metres < STEP && std::abs(begin - now.begin) <= error &&
+			std::abs(end - now.end) <= error;
+}
 
 struct ShadowPlants::Listing {
 	size_t band = 0;
@@ -68,9 +67,7 @@ void ShadowPlants::bind(const FieldRenderSetup &setup) {
 			band.species = int(species);
 			band.caster = caster;
 			band.material = style.materials[count + i]->get_rid();
-			for (const FieldVariant &variant : style.variants) {
-				band.heights.push_back(variant.height);
-			}
+			band.heights = style.variant_heights();
 			for (const Ref<ArrayMesh> &mesh : style.meshes[size_t(caster.level)]) {
 				band.lists.emplace_back(mesh->get_rid(), setup.instance_floats());
 			}
@@ -105,10 +102,10 @@ void ShadowPlants::set_squares(const std::vector<std::shared_ptr<NearSquare>> &n
 	has_other_squares = true;
 }
 
-// Squares come and go all the time while tiles are streamed, but seldom near a camera.
+// Streaming adds and removes squares in most frames, but seldom near a camera.
 void ShadowPlants::take_other_squares() {
 	for (Band &band : bands) {
-		band.is_due = band.is_due || squares_in(band, sights_of(band, band.seen)) != band.listed;
+		band.is_due = band.is_due || squares_in(band, band.seen) != band.listed;
 	}
 }
 
@@ -137,12 +134,18 @@ ShadowPlants::Squares ShadowPlants::squares_in(const Band &band, const std::vect
 }
 
 void ShadowPlants::follow(const ListSurroundings &now) {
-	for (Band &band : bands) {
-		band.is_due = band.is_due || now.placed != around.placed;
-	}
 	around = now;
 	for (const Band &band : bands) {
 		set_look(band);
+	}
+}
+
+void ShadowPlants::set_transform(const Transform3D &placed) {
+	around.placed = placed;
+	for (const Band &band : bands) {
+		for (const PlantList &list : band.lists) {
+			list.place(placed);
+		}
 	}
 }
 
@@ -151,13 +154,6 @@ void ShadowPlants::set_look(const Band &band) const {
 		list.set_look(around, band.material, true);
 		list.place(around.placed);
 	}
-}
-
-bool ShadowPlants::must_list(const Band &band, const std::vector<DrawingCamera> &cameras) {
-	const auto is_near = [](const DrawingCamera &one, const DrawingCamera &other) {
-		return one.place.distance_to(other.place) < STEP;
-	};
-	return band.is_due || !std::equal(cameras.begin(), cameras.end(), band.seen.begin(), band.seen.end(), is_near);
 }
 
 void ShadowPlants::update(const std::vector<DrawingCamera> &cameras) {
@@ -177,17 +173,20 @@ void ShadowPlants::start(const std::vector<DrawingCamera> &cameras) {
 	}
 	for (size_t i = 0; i < bands.size(); i++) {
 		Band &band = bands[i];
-		if (!must_list(band, cameras)) {
+		std::vector<Sight> sights = sights_of(band, cameras);
+		const bool is_covered = std::equal(band.seen.begin(), band.seen.end(), sights.begin(), sights.end(),
+				[](const Sight &one, const Sight &now) { return one.covers(now); });
+		if (is_covered && !band.is_due) {
 			continue;
 		}
 		band.is_due = false;
-		band.seen = cameras;
+		band.seen = sights;
 		auto listing = std::make_unique<Listing>();
 		listing->band = i;
 		listing->lod_density = band.caster.lod_density;
 		listing->heights = band.heights;
-		listing->sights = sights_of(band, cameras);
-		listing->squares = band.listed = squares_in(band, listing->sights);
+		listing->squares = band.listed = squares_in(band, sights);
+		listing->sights = std::move(sights);
 		for (PlantList &list : band.lists) {
 			listing->plants.push_back(list.take_spare());
 		}
@@ -272,15 +271,9 @@ AABB ShadowPlants::Listing::list(const NearSquare &square) {
 
 // Adds plants that are adjacent in a square.
 void ShadowPlants::Listing::write(const NearSquare &square, int first, int count) {
-	const int64_t stride = square.stride;
-	const float *from = square.instances.ptr() + first * stride;
-	float *to = plants.size() == 1 ? plants[0].add(count) : nullptr;
-	for (int i = 0; i < count; i++, from += stride) {
-		const size_t variant = square.variants[size_t(first + i)] % heights.size();
-		float *own = to ? to + i * stride : plants[variant % plants.size()].add(1);
-		std::copy_n(from, stride, own);
-		own[stride - 1] *= heights[variant] / heights[variant % plants.size()];
-	}
+	float *next = plants.size() == 1 ? plants[0].add(count) : nullptr; // All at once.
+	square.write(first, count, heights, plants.size(),
+			[&](size_t mesh) { return next ? std::exchange(next, next + square.stride) : plants[mesh].add(1); });
 }
 
 } // namespace undergrowth

@@ -24,13 +24,23 @@ public:
 	void set_squares(const std::vector<std::shared_ptr<NearSquare>> &now);
 	/// Call before a frame is drawn. Passes lists of a bounded number of plants to the renderer.
 	void update(const std::vector<DrawingCamera> &cameras);
+	/// As those of NearPlants. A field that moves with its camera keeps its lists.
 	void follow(const ListSurroundings &now);
+	void set_transform(const godot::Transform3D &placed);
 
 private:
 	using Squares = std::vector<std::shared_ptr<NearSquare>>;
 
-	/// A camera in the field's axes.
-	struct Sight;
+	/// A camera in the field's axes, and what a caster needs of it.
+	struct Sight {
+		godot::Vector3 place;
+		float begin, end; ///< Distances of the caster, in the field's unit.
+		float metres; ///< Length of that unit, or less.
+
+		Sight(const DrawingCamera &camera, const godot::Transform3D &placed, const ShadowCaster &caster);
+		/// True if a list for this camera is good enough for `now`.
+		bool covers(const Sight &now) const;
+	};
 	/// Plants of one caster, as a worker thread lists them.
 	struct Listing;
 	/// One caster of one species.
@@ -40,7 +50,7 @@ private:
 		godot::RID material;
 		std::vector<float> heights; ///< m, of the species' variants.
 		std::vector<PlantList> lists; ///< By mesh.
-		std::vector<DrawingCamera> seen; ///< Cameras of its last list.
+		std::vector<Sight> seen; ///< Cameras of its last list.
 		Squares listed; ///< Squares of that list.
 		bool is_due = true; ///< Something else has changed since.
 	};
@@ -53,7 +63,6 @@ private:
 	WorkerTask task; ///< After `listings`, which it writes.
 
 	static bool has_meshes_of(const Band &one, const Band &other);
-	static bool must_list(const Band &band, const std::vector<DrawingCamera> &cameras);
 	std::vector<Sight> sights_of(const Band &band, const std::vector<DrawingCamera> &cameras) const;
 	Squares squares_in(const Band &band, const std::vector<Sight> &sights) const;
 	void take_other_squares();

@@ -372,6 +372,14 @@ void SpeciesStyle::take_material() {
 	}
 }
 
+std::vector<float> SpeciesStyle::variant_heights() const {
+	std::vector<float> heights;
+	for (const FieldVariant &variant : variants) {
+		heights.push_back(variant.height);
+	}
+	return heights;
+}
+
 float SpeciesStyle::mean_height() const {
 	float sum = 0.0f;
 	for (const FieldVariant &variant : variants) {

@@ -151,6 +151,8 @@ struct SpeciesStyle {
 	void set_surface_materials() const;
 	/// Triangles of a plant at a level.
 	float triangles_at(const FieldLevel &level) const;
+	/// Heights of its variants (m).
+	std::vector<float> variant_heights() const;
 	/// Mean of its variants (m).
 	float mean_height() const;
 	/// Returns the largest distance of the plant's mesh from its root in any pose (m), if it is `widening` times as
