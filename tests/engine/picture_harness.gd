@@ -22,6 +22,14 @@ func make_stage() -> void:
 	_add_light()
 
 
+## Returns a constant wind that crosses the picture at an angle.
+func make_crossing_wind() -> PlantWind:
+	var wind := PlantWind.new()
+	wind.kind = PlantWind.KIND_CONSTANT
+	wind.direction = deg_to_rad(60.0)
+	return wind
+
+
 ## Returns a field of added plants only, which the test steps.
 func make_added_field(wind: PlantWind) -> PlantField3D:
 	var field := PlantField3D.new()

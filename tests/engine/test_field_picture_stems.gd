@@ -13,9 +13,7 @@ var _wind: PlantWind
 
 func before_each() -> void:
 	make_stage()
-	_wind = PlantWind.new()
-	_wind.kind = PlantWind.KIND_CONSTANT
-	_wind.direction = deg_to_rad(60.0)
+	_wind = make_crossing_wind()
 	_field = await make_added_field(_wind)
 
 
