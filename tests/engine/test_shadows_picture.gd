@@ -79,6 +79,21 @@ func test_added_and_removed_plants_change_the_shadows() -> void:
 	check_equal(await _count_shadows(), 0, "pixels of shadow of removed plants")
 
 
+func test_tiles_that_load_after_the_camera_moved_cast_shadows() -> void:
+	_field.density = 3.0
+	_field.view_distance = 25.0
+	stage.add_child(_field)
+	_look_from(Vector3(-0.4 * SIZE, 1.2, 0))
+	await settled(_field)
+	_look_from(Vector3(0.4 * SIZE, 1.2, 0))
+	await _frames(1)  # The plants around this camera are listed before its tiles exist.
+	await settled(_field)
+	await _frames(LATE)
+	var loaded := await picture()
+	check(await _count_shadows() > MIN_SHADOW, "shadows of the loaded tiles")
+	check(count_different(loaded, await picture()) <= MAX_DIFFERENT, "the same in a new list")
+
+
 func test_shadows_come_again_after_they_were_off() -> void:
 	_field.density = 3.0
 	stage.add_child(_field)
