@@ -1,0 +1,63 @@
+#include "motion/stem_weight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace undergrowth {
+
+namespace {
+
+constexpr float MAX_HALF_ANGLE = 1.0f; // rad, of a bend by weight.
+constexpr float MIN_SQUARE = 1e-12f;
+
+/// Bends of tips in the middle of a step, in the frame of the rest.
+void extrapolate_tips(const StemPage &page, int count, float step, float *x, float *z) {
+	std::fill_n(x, count, 0.0f);
+	std::fill_n(z, count, 0.0f);
+	for (int k = 0; k < page.step.modes; k++) {
+		const float slope = page.step.tip_slope[k];
+		const float *place_x = page.x[k];
+		const float *place_z = page.z[k];
+		const float *rate_x = page.rate_x[k];
+		const float *rate_z = page.rate_z[k];
+		for (int i = 0; i < count; i++) {
+			x[i] += slope * (place_x[i] + 0.5f * step * rate_x[i]);
+			z[i] += slope * (place_z[i] + 0.5f * step * rate_z[i]);
+		}
+	}
+}
+
+} // namespace
+
+void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float step, float *x, float *z) {
+	extrapolate_tips(page, count, step, x, z);
+	for (int i = 0; i < count; i++) {
+		// The direction of a place about halfway, and the vertical, both as unit vectors in the frame of the rest.
+		const float bend_x = weight.along * x[i];
+		const float bend_z = weight.along * z[i];
+		const float over = 1.0f / (1.0f + bend_x * bend_x + bend_z * bend_z);
+		const float rest_x = page.rest_x[i];
+		const float rest_z = page.rest_z[i];
+		const float under = 1.0f / (1.0f + rest_x * rest_x + rest_z * rest_z);
+		const float up_x = -2.0f * rest_x * under;
+		const float up_z = -2.0f * rest_z * under;
+		const float up_y = 2.0f * under - 1.0f;
+		const float half = bend_x * up_x + bend_z * up_z + up_y; // Of the vertical along the axis, plus a constant.
+		// The vertical across that direction, turned about it into the plane of bends.
+		const float across_x = 2.0f * over * bend_x * half - up_x;
+		const float across_z = 2.0f * over * bend_z * half - up_z;
+		const float cosine = 2.0f * over * half - up_y;
+		const float square = across_x * across_x + across_z * across_z;
+		const float beyond = cosine < 0.0f ? 1.0f / std::sqrt(square > MIN_SQUARE ? square : MIN_SQUARE) : 1.0f;
+		const float ease = page.air_ease ? page.air_ease[i] : 1.0f;
+		const float slope = 0.5f * weight.slope * page.scale[i] * ease * beyond;
+		const float angle = slope * slope * square;
+		const float max = angle > MAX_HALF_ANGLE ? 1.0f / std::sqrt(angle) : 1.0f;
+		const float bounded = angle * max * max;
+		const float tangent = slope * max / (1.0f - bounded * (1.0f / 3.0f)); // Of half the angle, to 4 %.
+		x[i] = across_x * tangent;
+		z[i] = across_z * tangent;
+	}
+}
+
+} // namespace undergrowth
