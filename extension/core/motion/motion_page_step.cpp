@@ -238,7 +238,7 @@ void MotionPage::carry(const Precipitation &precipitation) {
 	whole = loaded_stem(bare, load);
 	kind.stem = modes() == whole.modes ? whole : in_one_mode(whole);
 	weight = { slope_of_load(bare, load), bare.axial_share };
-	if (load.is_none()) {
+	if (!load.has_load()) {
 		unloaded.clear();
 	}
 	update_constants(0);

@@ -25,7 +25,7 @@ float mass_by_air(const Precipitation &load) {
 } // namespace
 
 Precipitation rounded(const Precipitation &precipitation) {
-	return { rounded_share(precipitation.wetness), rounded_share(precipitation.snow) };
+	return { rounded_share(precipitation.wetness), rounded_share(precipitation.snow), 0.0f };
 }
 
 StemConstants loaded_stem(const StemConstants &stem, const Precipitation &load) {

@@ -13,7 +13,7 @@ constexpr float SNOW_PER_DRAG_AREA = 2.0f;
 constexpr float SNOW_DRAG = 2.0f;
 
 /// Clamps both numbers and rounds them to steps of 1/64, so that constants change rarely. A number that is not finite
-/// becomes 0.
+/// becomes 0. Without rain, which is no load.
 Precipitation rounded(const Precipitation &precipitation);
 
 /// The same stem with the mass and drag area of water and snow, which are distributed like its drag area. It swings

@@ -126,6 +126,7 @@ void FieldRuntime::refresh(const Transform3D &axes) {
 		materials.send_swing_clock(motion, seen_distances(axes));
 	}
 	materials.send_leans(setup, motion);
+	materials.send_precipitation(setup, motion.precipitation());
 	upload_usec = watch.usec();
 }
 
