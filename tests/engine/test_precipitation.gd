@@ -84,7 +84,9 @@ func test_shares_out_of_range_are_refused() -> void:
 	check_error("wetness")
 	_wind.snow = -0.1
 	check_error("snow")
-	check_equal([_wind.wetness, _wind.snow], [0.0, 0.0], "wetness and snow")
+	_wind.rain = -1.0
+	check_error("rain")
+	check_equal([_wind.wetness, _wind.snow, _wind.rain], [0.0, 0.0, 0.0], "their values")
 
 
 ## Returns the mean height of tips above the ground.

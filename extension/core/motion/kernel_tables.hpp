@@ -70,7 +70,7 @@ struct StemModeStep {
 	float air_lag; ///< m, as in StemMode.
 };
 
-/// The tip's bend in the middle of a step, of the first mode at its start.
+/// The tip's bend in the middle of a step, or a little later, of the first mode at its start.
 struct StemTip {
 	float of_place;
 	float of_rate; ///< s.

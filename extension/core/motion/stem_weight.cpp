@@ -1,6 +1,5 @@
 #include "motion/stem_weight.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace undergrowth {
@@ -10,31 +9,15 @@ namespace {
 constexpr float MAX_HALF_ANGLE = 1.0f; // rad, of a bend by weight.
 constexpr float MIN_SQUARE = 1e-12f;
 
-/// Bends of tips in the middle of a step, in the frame of the rest.
-void extrapolate_tips(const StemPage &page, int count, float step, float *x, float *z) {
-	std::fill_n(x, count, 0.0f);
-	std::fill_n(z, count, 0.0f);
-	for (int k = 0; k < page.step.modes; k++) {
-		const float slope = page.step.tip_slope[k];
-		const float *place_x = page.x[k];
-		const float *place_z = page.z[k];
-		const float *rate_x = page.rate_x[k];
-		const float *rate_z = page.rate_z[k];
-		for (int i = 0; i < count; i++) {
-			x[i] += slope * (place_x[i] + 0.5f * step * rate_x[i]);
-			z[i] += slope * (place_z[i] + 0.5f * step * rate_z[i]);
-		}
-	}
-}
-
 } // namespace
 
-void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float step, float *x, float *z) {
-	extrapolate_tips(page, count, step, x, z);
+void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float *x, float *z) {
+	const float of_place = weight.along * page.step.dead_tip.of_place;
+	const float of_rate = weight.along * page.step.dead_tip.of_rate;
 	for (int i = 0; i < count; i++) {
 		// The direction of a place about halfway, and the vertical, both as unit vectors in the frame of the rest.
-		const float bend_x = weight.along * x[i];
-		const float bend_z = weight.along * z[i];
+		const float bend_x = of_place * page.x[0][i] + of_rate * page.rate_x[0][i];
+		const float bend_z = of_place * page.z[0][i] + of_rate * page.rate_z[0][i];
 		const float over = 1.0f / (1.0f + bend_x * bend_x + bend_z * bend_z);
 		const float rest_x = page.rest_x[i];
 		const float rest_z = page.rest_z[i];

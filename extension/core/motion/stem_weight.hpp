@@ -14,12 +14,12 @@ struct StemWeight {
 	bool is_none() const { return slope == 0.0f; }
 };
 
-/// Bends of tips to which the weight would bring stems, in the frame of their rest, for the step that begins now. The
-/// modes divide them as in a steady wind.
+/// Bends of tips to which the weight would bring stems, in the frame of their rest, for the step that begins now, from
+/// the first mode alone (StemTip). The modes divide them as in a steady wind.
 ///
 /// The weight bends a stem by slope·sin θ, where θ is the angle from upright of a place about halfway. So the weight
 /// also makes stems softer, and lays them over if it is greater than their buckling load. It acts on plants that wind
 /// or bodies bend as well. Beyond the horizon it does not grow further, so that steps of any length converge.
-void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float step, float *x, float *z);
+void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float *x, float *z);
 
 } // namespace undergrowth
