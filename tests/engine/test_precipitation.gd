@@ -2,7 +2,7 @@
 extends "res://tests/engine/plant_harness.gd"
 
 const WHEAT := preload("res://addons/undergrowth/species/wheat.tres")
-const REED := preload("res://addons/undergrowth/species/reed.tres")
+const REED := preload("res://addons/undergrowth/species/common_reed.tres")
 const SAME_TIP := 0.02  # m, between a single plant and one of a field.
 const COMING := 300  # Frames in which plants bend to their load.
 
@@ -34,7 +34,7 @@ func test_snow_bends_the_plants_of_a_field_until_it_melts() -> void:
 	var laden := _mean_height(field)
 	_wind.snow = 0.0
 	await frames(2 * COMING)
-	check(laden < dry - 0.002, "tips at %.4f m, without snow at %.4f m" % [laden, dry])
+	check(laden < dry - 0.005, "tips at %.4f m, without snow at %.4f m" % [laden, dry])
 	check_near(_mean_height(field), dry, 1e-3, "height of tips after it melted")
 
 
@@ -57,7 +57,7 @@ func test_a_wet_single_plant_bends_as_that_of_a_field() -> void:
 		var other := field.get_tip_position(id).y / field.get_plant_height(id)
 		check_near(own, other, SAME_TIP, "height of its tip")
 		if law == PlantFunction.LAW_STEM:
-			check(own < cos(0.4) - 0.01, "it bends below its rest: %.4f" % own)
+			check(own < cos(0.4) - 0.003, "it bends below its rest: %.4f" % own)
 		else:
 			check_near(own, cos(0.4), 1e-3, "other laws have no weight of water")
 		single.free()

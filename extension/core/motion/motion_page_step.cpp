@@ -263,7 +263,7 @@ bool MotionPage::find_calm_bends(const StemPage &block, int begin, int count, Ca
 		std::fill_n(calm.x, count, 0.0f);
 		std::fill_n(calm.z, count, 0.0f);
 	} else {
-		weigh_stems(block, count, weight, calm.x, calm.z);
+		weigh_stems(block, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, weight, calm.x, calm.z);
 	}
 	for (int i = 0; is_any && i < count; i++) {
 		const glm::vec2 bend = lasting.at(begin + i);
@@ -308,7 +308,7 @@ void MotionPage::settle_under_weight(int begin) {
 				glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;
 		for (int i = 0; is_still && i < TRIES; i++) {
 			glm::vec2 bend;
-			weigh_stems(stem_page(row), 1, weight, &bend.x, &bend.y);
+			weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
 			for (int k = 0; k < kind.stem.modes; k++) {
 				state.place[k] = share[k].x * bend;
 			}

@@ -8,10 +8,22 @@ namespace {
 
 constexpr float MAX_HALF_ANGLE = 1.0f; // rad, of a bend by weight.
 constexpr float MIN_SQUARE = 1e-12f;
+constexpr float UNEVEN = 0.15f; // rad.
+// Periods per metre, so different that neighbours lean in different directions.
+constexpr float PERIODS[2][2] = { { 7.31f, 3.77f }, { -4.19f, 8.63f } };
+
+/// From -1 to 1 by the place, 0 at the origin; like a triangle wave.
+float unevenness(float x, float z, const float (&periods)[2]) {
+	const float at = periods[0] * x + periods[1] * z + 0.25f;
+	const float part = at - static_cast<float>(static_cast<int>(at)); // Vectorised, other than a floor.
+	const float share = part < 0.0f ? part + 1.0f : part;
+	return 1.0f - 4.0f * std::fabs(share - 0.5f);
+}
 
 } // namespace
 
-void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float *x, float *z) {
+void weigh_stems(const StemPage &page, const float *root_x, const float *root_z, int count, const StemWeight &weight,
+		float *x, float *z) {
 	const float of_place = weight.along * page.step.dead_tip.of_place;
 	const float of_rate = weight.along * page.step.dead_tip.of_rate;
 	for (int i = 0; i < count; i++) {
@@ -22,8 +34,8 @@ void weigh_stems(const StemPage &page, int count, const StemWeight &weight, floa
 		const float rest_x = page.rest_x[i];
 		const float rest_z = page.rest_z[i];
 		const float under = 1.0f / (1.0f + rest_x * rest_x + rest_z * rest_z);
-		const float up_x = -2.0f * rest_x * under;
-		const float up_z = -2.0f * rest_z * under;
+		const float up_x = -2.0f * rest_x * under - UNEVEN * unevenness(root_x[i], root_z[i], PERIODS[0]);
+		const float up_z = -2.0f * rest_z * under - UNEVEN * unevenness(root_x[i], root_z[i], PERIODS[1]);
 		const float up_y = 2.0f * under - 1.0f;
 		const float half = bend_x * up_x + bend_z * up_z + up_y; // Of the vertical along the axis, plus a constant.
 		// The vertical across that direction, turned about it into the plane of bends.

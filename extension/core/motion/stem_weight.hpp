@@ -20,6 +20,10 @@ struct StemWeight {
 /// The weight bends a stem by slope·sin θ, where θ is the angle from upright of a place about halfway. So the weight
 /// also makes stems softer, and lays them over if it is greater than their buckling load. It acts on plants that wind
 /// or bodies bend as well. Beyond the horizon it does not grow further, so that steps of any length converge.
-void weigh_stems(const StemPage &page, int count, const StemWeight &weight, float *x, float *z);
+///
+/// No stem is exactly straight: for the weight each one leans by up to 0.15 rad more along x and along z, by its root
+/// (m), in the frame of the rest. A plant at the origin does not.
+void weigh_stems(const StemPage &page, const float *root_x, const float *root_z, int count, const StemWeight &weight,
+		float *x, float *z);
 
 } // namespace undergrowth

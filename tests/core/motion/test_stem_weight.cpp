@@ -139,7 +139,29 @@ TEST_CASE("a wet stem swings as slowly as one whose leaves have the mass of the 
 	CHECK(measured == doctest::Approx(expected).epsilon(PERIOD_TOLERANCE));
 }
 
-TEST_CASE("upright stems carry water without bending, and leaning ones rise when they dry") {
+TEST_CASE("stems of a wet meadow bend in all directions, and straight ones stay upright") {
+	const StemConstants stem = solve_stem(leafy_stem(0.5)).constants;
+	std::vector<MotionPlant> plants(1, leaning(0.6f, 0.0));
+	for (int i = 0; i < 400; i++) {
+		plants.push_back(leaning(0.6f, 0.0));
+		plants.back().root = { 0.31f * static_cast<float>(i % 20) - 3.0f, 0.0f, 0.29f * static_cast<float>(i / 20) - 3.0f };
+	}
+	FieldSimulation field = still_field(stem, plants, { 0.0f, 1.0f });
+	run(field, 2.0);
+	CHECK(lean_of(field, 0) == doctest::Approx(0.0));
+	glm::vec2 sum(0.0f);
+	float bent = 0.0f;
+	for (int i = 1; i <= 400; i++) {
+		const glm::vec3 tip = field.page(0).direction(i);
+		sum += glm::vec2(tip.x, tip.z) / 400.0f;
+		bent += glm::length(glm::vec2(tip.x, tip.z)) / 400.0f;
+	}
+	CHECK(bent > 0.03f);
+	CHECK(bent < 0.2f);
+	CHECK(glm::length(sum) < 0.2f * bent);
+}
+
+TEST_CASE("leaning stems rise when they dry") {
 	const StemConstants stem = solve_stem(leafy_stem(0.5)).constants;
 	FieldSimulation field = still_field(stem, { leaning(0.6f, 0.0), leaning(0.6f, 0.3) }, {});
 	run(field, 1.0);
