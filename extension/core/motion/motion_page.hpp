@@ -8,7 +8,6 @@
 #include "motion/motion_species.hpp"
 #include "motion/stem_impulses.hpp"
 #include "motion/stem_step.hpp"
-#include "motion/stem_weight.hpp"
 #include "wind/air_ahead.hpp"
 
 #include <glm/vec3.hpp>
@@ -68,7 +67,7 @@ struct MovedStems {
 /// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators per
 /// plant in the frame of its rest. Its direction is that of the tip, and tip() is the end of the bent stem. The
 /// equilibrium of an upright plant under a horizontal force F is tan φ = F·StemConstants::dead_slope. The wind's
-/// Precipitation makes stems heavier (stem/loaded_stem.hpp, motion/stem_weight.hpp); other laws ignore it.
+/// Precipitation makes stems heavier (stem/loaded_stem.hpp); other laws ignore it.
 ///
 /// Winds are horizontal in the axes of the roots. Directions may have other axes; step() takes the wind's direction in
 /// those. Values out of range are clamped to the nearest safe one; nothing becomes NaN. Only adding allocates. Results
@@ -313,9 +312,8 @@ private:
 	void settle(int index);
 	void carry(const Precipitation &precipitation);
 	void settle_under_weight(int begin);
-	struct CalmBends;
-	bool find_calm_bends(const StemPage &block, int begin, int count, CalmBends &calm) const;
-	void move_calm(const StemPage &block, int count, const CalmBends &calm) const;
+	bool find_calm_bends(
+			const KernelSet &set, const StemPage &block, int begin, int count, const CalmBends &calm) const;
 	void lodge(int begin, int count);
 	void grow_box(int index, bool is_first);
 	void grow_block(int index, const glm::vec3 &low, const glm::vec3 &high);

@@ -247,14 +247,9 @@ void MotionPage::carry(const Precipitation &precipitation) {
 	}
 }
 
-/// Bends of tips, in the frame of the rest, that plants return to in calm air.
-struct MotionPage::CalmBends {
-	float x[BlockWind::PLANTS];
-	float z[BlockWind::PLANTS];
-};
-
 /// Returns false if all plants return to their rest.
-bool MotionPage::find_calm_bends(const StemPage &block, int begin, int count, CalmBends &calm) const {
+bool MotionPage::find_calm_bends(
+		const KernelSet &set, const StemPage &block, int begin, int count, const CalmBends &calm) const {
 	const bool is_any = lasting.is_any(begin, count);
 	if (!is_any && weight.is_none()) {
 		return false;
@@ -263,7 +258,7 @@ bool MotionPage::find_calm_bends(const StemPage &block, int begin, int count, Ca
 		std::fill_n(calm.x, count, 0.0f);
 		std::fill_n(calm.z, count, 0.0f);
 	} else {
-		weigh_stems(block, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, weight, calm.x, calm.z);
+		set.weigh_stems(block, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, weight, calm.x, calm.z);
 	}
 	for (int i = 0; is_any && i < count; i++) {
 		const glm::vec2 bend = lasting.at(begin + i);
@@ -273,26 +268,6 @@ bool MotionPage::find_calm_bends(const StemPage &block, int begin, int count, Ca
 	return true;
 }
 
-/// A mode's step is linear in its distance from the equilibrium, so another one adds its own part after the kernel.
-void MotionPage::move_calm(const StemPage &block, int count, const CalmBends &calm) const {
-	constexpr float MAX = MAX_STEM_AMPLITUDE;
-	glm::vec2 share[MAX_STEM_MODES];
-	divide_tip(kind.stem, { 1.0f, 0.0f }, share);
-	for (int k = 0; k < kind.stem.modes; k++) {
-		const StemModeStep &mode = block.step.mode[k];
-		const bool is_own = block.dead_ease != nullptr;
-		const float of_mode = share[k].x;
-		for (int i = 0; i < count; i++) {
-			const float place = of_mode * (is_own ? block.by_height[k][0][i] : mode.place_from_place);
-			const float rate = of_mode * (is_own ? block.by_height[k][2][i] : mode.rate_from_place);
-			block.x[k][i] = std::clamp(block.x[k][i] - place * calm.x[i], -MAX, MAX);
-			block.z[k][i] = std::clamp(block.z[k][i] - place * calm.z[i], -MAX, MAX);
-			block.rate_x[k][i] -= rate * calm.x[i];
-			block.rate_z[k][i] -= rate * calm.z[i];
-		}
-	}
-}
-
 /// Plants from `begin` on that are at rest and do not move begin with the bend of their load.
 void MotionPage::settle_under_weight(int begin) {
 	constexpr int TRIES = 64;
@@ -300,6 +275,7 @@ void MotionPage::settle_under_weight(int begin) {
 	if (weight.is_none()) {
 		return;
 	}
+	const KernelSet &set = kernels(best_simd_level());
 	glm::vec2 share[MAX_STEM_MODES];
 	divide_tip(kind.stem, { 1.0f, 0.0f }, share);
 	for (int row = begin; row < size(); row++) {
@@ -308,7 +284,7 @@ void MotionPage::settle_under_weight(int begin) {
 				glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;
 		for (int i = 0; is_still && i < TRIES; i++) {
 			glm::vec2 bend;
-			weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
+			set.weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
 			for (int k = 0; k < kind.stem.modes; k++) {
 				state.place[k] = share[k].x * bend;
 			}
@@ -332,11 +308,18 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 		}
 	} else if (kind.law == Law::stem) {
 		const StemPage block = stem_page(begin);
-		CalmBends calm;
-		const bool has_calm = find_calm_bends(block, begin, count, calm);
+		float calm_x[BlockWind::PLANTS];
+		float calm_z[BlockWind::PLANTS];
+		CalmBends calm = { calm_x, calm_z, {} };
+		const bool has_calm = find_calm_bends(set, block, begin, count, calm);
 		set.step_stem(block, count, winds, air);
 		if (has_calm) {
-			move_calm(block, count, calm);
+			glm::vec2 share[MAX_STEM_MODES];
+			divide_tip(kind.stem, { 1.0f, 0.0f }, share);
+			for (int k = 0; k < kind.stem.modes; k++) {
+				calm.share[k] = share[k].x;
+			}
+			set.move_calm(block, count, calm);
 			set.lift_stems(block, count);
 		}
 		lodge(begin, count);

@@ -88,9 +88,9 @@ StemTip tip_of(float share, float step) {
 }
 
 /// s: how far ahead of the start of a step loads in newtons are read. tan(ω·step/2)/ω, a little after the middle: the
-/// Jacobian of a step of an undamped stem then has the determinant 1, for loads that depend on its bend in any way. Such
-/// a stem neither gains nor loses energy. Read in the middle, it gains some. Plants with own frequencies use that of the
-/// fastest ones; the others lose a little.
+/// Jacobian of a step of an undamped stem then has the determinant 1, for loads that depend on its bend in any way.
+/// Such a stem neither gains nor loses energy. Read in the middle, it gains some. Plants with own frequencies use that
+/// of the fastest ones; the others lose a little.
 float lossless_rate(const StemConstants &stem, float step) {
 	constexpr float FASTEST = 1.5f; // Of plants with own frequencies.
 	const float frequency = stem.mode[0].frequency * (stem.has_own_frequencies() ? FASTEST : 1.0f);

@@ -102,8 +102,7 @@ double PlantWind::get_canopy_wave_amount() const {
 	return shortest_decimal(blowing.air.canopy_wave_amount);
 }
 
-void PlantWind::set_precipitation(
-		float Precipitation::*part, const char *property, double value, const Range &range) {
+void PlantWind::set_precipitation(float Precipitation::*part, const char *property, double value, const Range &range) {
 	if (accept_value(this, property, value, range) && float(value) != blowing.precipitation.*part) {
 		blend.duration = 0.0; // A property that is set ends the blend.
 		blowing.precipitation.*part = float(value);
@@ -243,7 +242,8 @@ static Air mixed(const Air &from, const Air &to, double share) {
 
 static Precipitation mixed(const Precipitation &from, const Precipitation &to, double share) {
 	const auto part = float(share);
-	return { glm::mix(from.wetness, to.wetness, part), glm::mix(from.snow, to.snow, part), glm::mix(from.rain, to.rain, part) };
+	return { glm::mix(from.wetness, to.wetness, part), glm::mix(from.snow, to.snow, part),
+		glm::mix(from.rain, to.rain, part) };
 }
 
 void PlantWind::set_clock(const StepTime &next) {

@@ -35,9 +35,10 @@ void PlantWind::bind_precipitation() {
 	ClassDB::bind_method(D_METHOD("set_rain", "millimetres_per_hour"), &PlantWind::set_rain);
 	ClassDB::bind_method(D_METHOD("get_rain"), &PlantWind::get_rain);
 	ADD_GROUP("Rain and Snow", "");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "rain", PROPERTY_HINT_RANGE, "0,100,0.1,or_greater,suffix:mm/h"), "set_rain",
-			"get_rain");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "wetness", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_wetness", "get_wetness");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "rain", PROPERTY_HINT_RANGE, "0,100,0.1,or_greater,suffix:mm/h"),
+			"set_rain", "get_rain");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "wetness", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_wetness", "get_wetness");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "snow", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_snow", "get_snow");
 }
 

@@ -88,7 +88,8 @@ TEST_CASE("water and snow bend leaning stems as they bend a chain of links") {
 				FieldSimulation field = still_field(solution.constants, { leaning(beam.length, lean) }, load);
 				run(field, 20.0);
 				SteadyChain chain(beam, solution.youngs_modulus);
-				const double mass = static_cast<double>(WATER_PER_DRAG_AREA * load.wetness + SNOW_PER_DRAG_AREA * load.snow);
+				const double mass =
+						static_cast<double>(WATER_PER_DRAG_AREA * load.wetness + SNOW_PER_DRAG_AREA * load.snow);
 				for (const double share : { 0.25, 0.5, 0.75, 1.0 }) {
 					chain.settle_load(share * mass, lean);
 				}
@@ -101,7 +102,8 @@ TEST_CASE("water and snow bend leaning stems as they bend a chain of links") {
 			}
 		}
 		CHECK(worst < TIP_TOLERANCE);
-		figures::record_error(figures::STEMS, "tip of a leaning stem under water and snow, of its length", TIP_TOLERANCE, worst);
+		figures::record_error(
+				figures::STEMS, "tip of a leaning stem under water and snow, of its length", TIP_TOLERANCE, worst);
 	}
 }
 
@@ -144,7 +146,8 @@ TEST_CASE("stems of a wet meadow bend in all directions, and straight ones stay 
 	std::vector<MotionPlant> plants(1, leaning(0.6f, 0.0));
 	for (int i = 0; i < 400; i++) {
 		plants.push_back(leaning(0.6f, 0.0));
-		plants.back().root = { 0.31f * static_cast<float>(i % 20) - 3.0f, 0.0f, 0.29f * static_cast<float>(i / 20) - 3.0f };
+		plants.back().root = { 0.31f * static_cast<float>(i % 20) - 3.0f, 0.0f,
+			0.29f * static_cast<float>(i / 20) - 3.0f };
 	}
 	FieldSimulation field = still_field(stem, plants, { 0.0f, 1.0f });
 	run(field, 2.0);
@@ -207,7 +210,8 @@ TEST_CASE("plants that come while it rains have the bend of their water at once"
 	const MotionPlant later = leaning(0.6f, 0.3);
 	REQUIRE(field.add_to_page(0, &later, 1));
 	CHECK(lean_of(field, 1) == doctest::Approx(lean_of(field)).epsilon(BEND_TOLERANCE));
-	CHECK(field.shown_direction(0, 1, 0.0f).x == doctest::Approx(field.shown_direction(0, 0, 0.0f).x).epsilon(BEND_TOLERANCE));
+	CHECK(field.shown_direction(0, 1, 0.0f).x ==
+			doctest::Approx(field.shown_direction(0, 0, 0.0f).x).epsilon(BEND_TOLERANCE));
 	field.settle();
 	CHECK(lean_of(field) == doctest::Approx(at_once).epsilon(BEND_TOLERANCE));
 }
@@ -238,8 +242,7 @@ TEST_CASE("stems with own frequencies and the rest of their species bend under w
 	beam.frequency_by_length = true;
 	const StemConstants graded = solve_stem(beam).constants;
 	REQUIRE(graded.has_grades());
-	FieldSimulation own =
-			still_field(graded, { leaning(0.6f, 0.3), leaning(0.75f, 0.3) }, { 1.0f, 0.0f });
+	FieldSimulation own = still_field(graded, { leaning(0.6f, 0.3), leaning(0.75f, 0.3) }, { 1.0f, 0.0f });
 	run(alike, 20.0);
 	run(own, 20.0);
 	CHECK(lean_of(own, 0) == doctest::Approx(lean_of(alike)).epsilon(BEND_TOLERANCE));
@@ -250,4 +253,36 @@ TEST_CASE("numbers of water and snow are clamped and rounded") {
 	CHECK(rounded({ 2.0f, -1.0f }) == Precipitation{ 1.0f, 0.0f });
 	CHECK(rounded({ std::nanf(""), 0.5f }) == Precipitation{ 0.0f, 0.5f });
 	CHECK(rounded({ 0.5f, 0.501f }) == Precipitation{ 0.5f, 0.5f });
+}
+
+TEST_CASE("loaded stems have the same bits at each level and for each division into pages") {
+	StemBeam beam = leafy_stem(0.5);
+	beam.modes = 2;
+	beam.frequency_by_length = true;
+	MotionSpecies species = species_of(Law::stem);
+	species.stem = solve_stem(beam).constants;
+	std::vector<MotionPlant> plants;
+	for (int i = 0; i < 700; i++) {
+		plants.push_back(chance_plant(i));
+		plants.back().length *= 0.6f;
+	}
+	FieldWind wind = wave_wind();
+	wind.wind.strength = 0.02f;
+	wind.precipitation = { 1.0f, 0.3f, 0.0f };
+	const PlantWinds along = winds_along(wind);
+	const auto hash_of = [&](int first, int count, SimdLevel level) {
+		MotionPage page(0, species, plants.data() + first, count, FIELD_STEP, true);
+		GoldenHash hash;
+		for (int n = 0; n < 60; n++) {
+			page.step(wind_at_time(wind, along, n * static_cast<double>(FIELD_STEP)), along, level);
+		}
+		for (int i = first == 0 ? 100 : 0; i < count; i++) {
+			const StemState state = page.stem(i);
+			hash.add(&state, 1);
+		}
+		return hash.value();
+	};
+	const uint64_t whole = hash_of(0, 700, SimdLevel::baseline);
+	CHECK(hash_of(0, 700, best_simd_level()) == whole);
+	CHECK(hash_of(100, 600, best_simd_level()) == whole);
 }
