@@ -120,7 +120,6 @@ struct StemWeight {
 	/// Direction in which the weight acts, relative to that of the tip: StemConstants::axial_share.
 	float along = 1.0f;
 	float max_half = 1.0f; ///< rad: half of the maximum bend. Variables for the same reason as in bounded().
-	float one = 1.0f;
 	float min_square = 1e-12f;
 
 	bool is_none() const { return slope == 0.0f; }

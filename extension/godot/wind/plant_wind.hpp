@@ -105,6 +105,7 @@ public:
 	double get_snow() const;
 	void set_rain(double millimetres_per_hour);
 	double get_rain() const;
+	const Precipitation &precipitation() const { return blowing.precipitation; }
 	/// Returns the velocity of the air (m/s) at a position (world axes; y is the height above the ground).
 	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
 	/// Returns the velocities of the air (m/s) at the tops of the canopy, with its waves, at horizontal world positions
