@@ -8,6 +8,8 @@ const MAX_PART_PIXELS := 50
 const LIGHTS: Array[float] = [0.0, 3.0]
 const LEAN := deg_to_rad(20.0)
 
+## After the last drops on two leaves of this tulip.
+const RAIN_STEPS := 6
 const MAX_PACKED_PIXELS := 20  # Rounded positions move an edge over the centre of a pixel.
 const UNPACKED := """shader_type spatial;
 render_mode blend_mix, depth_draw_opaque, cull_disabled;
@@ -51,11 +53,11 @@ func test_a_leaning_tulip_in_heavy_rain_without_wind() -> void:
 	var species := _tulip()
 	species.lean = deg_to_rad(20.0)
 	var id := _field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], species)[0]
-	_step_field(13)
+	_step_field(RAIN_STEPS)
 	var in_field := await picture()
 	_field.hide()
 	var place := _field.get_plant_transform(id)
-	var plant := await make_twin(_field, id, species, place, 13)
+	var plant := await make_twin(_field, id, species, place, RAIN_STEPS)
 	var different := count_different(in_field, await picture())
 	plant.free()
 	_field.show()

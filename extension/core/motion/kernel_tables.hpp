@@ -175,7 +175,7 @@ struct KernelSet {
 	///
 	/// The weight bends a stem by slope·sin θ, where θ is the angle from upright of a place about halfway. So the
 	/// weight also makes stems softer, and lays them over if it is greater than their buckling load. It acts on plants
-	/// that wind or bodies bend as well. Beyond the horizon it does not grow further, so that steps of any length
+	/// that wind or bodies bend as well. No weight bends a stem by more than 2 rad, so that steps of any length
 	/// converge.
 	///
 	/// No stem is exactly straight: for the weight each one leans by up to 0.15 rad more along x and along z, by its

@@ -29,7 +29,7 @@ constexpr float GUST = 0.5f;
 constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
-constexpr float DROP = 0.08f; // Amplitude after a drop.
+constexpr float DROP = 0.12f; // Amplitude after a drop.
 // Steps of the sequences that choose the second and the moment of a drop: the golden ratio and its square root, so that
 // parts take turns.
 constexpr float DROP_STEP = 0.7548777f;

@@ -235,7 +235,6 @@ TEST_CASE("steps of any length bring loaded stems to the same rest") {
 				field.step();
 				CHECK(lean_of(field) == doctest::Approx(before).epsilon(BEND_TOLERANCE));
 			}
-			MESSAGE(drag_area << " " << expected);
 		}
 	}
 }
