@@ -8,6 +8,8 @@ const MAX_PART_PIXELS := 50
 const LIGHTS: Array[float] = [0.0, 3.0]
 const LEAN := deg_to_rad(20.0)
 
+## After the last drops on two leaves of this tulip.
+const RAIN_STEPS := 6
 const MAX_PACKED_PIXELS := 20  # Rounded positions move an edge over the centre of a pixel.
 const UNPACKED := """shader_type spatial;
 render_mode blend_mix, depth_draw_opaque, cull_disabled;
@@ -43,6 +45,46 @@ func test_a_tulip_that_leans() -> void:
 	var species := _tulip()
 	species.lean = deg_to_rad(20.0)
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0).scaled(Vector3.ONE * 2.5)), 20)
+
+
+func test_a_leaning_tulip_in_heavy_rain_without_wind() -> void:
+	_wind.strength = 0.0
+	_wind.rain = 1000.0
+	var species := _tulip()
+	species.lean = deg_to_rad(20.0)
+	var id := _field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], species)[0]
+	_step_field(RAIN_STEPS)
+	var in_field := await picture()
+	_field.hide()
+	var place := _field.get_plant_transform(id)
+	var plant := await make_twin(_field, id, species, place, RAIN_STEPS)
+	var different := count_different(in_field, await picture())
+	plant.free()
+	_field.show()
+	_wind.rain = 0.0
+	_step_field(1)
+	var still := count_different(in_field, await picture())
+	check(still > 2 * different, "%d pixels show the drops, %d differ" % [still, different])
+	check(different <= MAX_PART_PIXELS, "%d pixels differ" % different)
+
+
+func test_water_makes_leaves_darker_and_snow_makes_them_lighter() -> void:
+	_wind.strength = 0.0
+	_field.add_plants([Transform3D(Basis.IDENTITY.scaled(Vector3.ONE * 2.5))], _tulip())
+	_step_field(1)
+	var dry := _mean_light(await picture())
+	_wind.wetness = 1.0
+	await frames(2)
+	var wet := _mean_light(await picture())
+	_wind.snow = 1.0
+	await frames(2)
+	var white := _mean_light(await picture())
+	_wind.wetness = 0.0
+	_wind.snow = 0.0
+	await frames(2)
+	check(wet < dry - 1e-3, "wet %.4f, dry %.4f" % [wet, dry])
+	check(white > dry + 1e-3, "in snow %.4f, dry %.4f" % [white, dry])
+	check_near(_mean_light(await picture()), dry, 1e-4, "dry again")
 
 
 func test_leaves_on_a_slope_are_still_without_wind() -> void:
@@ -173,6 +215,12 @@ func _pictures_by_light(species: PlantFunction) -> Array[Image]:
 		material.set_shader_parameter(&"bent_brightness", light)
 		pictures.append(await picture())
 	return pictures
+
+
+func _mean_light(shown: Image) -> float:
+	var mean := shown.duplicate() as Image
+	mean.resize(1, 1, Image.INTERPOLATE_TRILINEAR)
+	return mean.get_pixel(0, 0).get_luminance()
 
 
 ## Its stem is stiff. Other pictures test how stems bend.

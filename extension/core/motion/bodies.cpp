@@ -107,7 +107,8 @@ bool push_point(
 	glm::vec3 moved = state.direction + along * (depth / (arm * std::max(size, MIN_TANGENT)));
 	moved.y = std::max(moved.y, MIN_PUSHED_HEIGHT);
 	state.direction = glm::normalize(moved);
-	const float inward = glm::dot(arm * state.rate - body.velocity, along);
+	const glm::vec3 surface = body.velocity + body.growth * exit.out;
+	const float inward = glm::dot(arm * state.rate - surface, along);
 	if (inward < 0.0f) {
 		state.rate -= along * (inward / arm);
 	}
@@ -137,7 +138,8 @@ bool push_place(const StemConstants &stem, const StemPoint &pushed, StemState &s
 	push_stem(stem, state, pushed, place.bend, along * (depth / std::max(size, MIN_TANGENT)), scale);
 	const glm::vec2 bend = stem_bend(stem, state.place, x);
 	const glm::vec3 velocity = stem_velocity(stem, state, pushed, bend, scale);
-	const float inward = glm::dot(velocity - turned(body.velocity, -rest), along);
+	const glm::vec3 surface = body.velocity + body.growth * exit.out;
+	const float inward = glm::dot(velocity - turned(surface, -rest), along);
 	if (inward < 0.0f) {
 		apply_stem_impulse(stem, state, pushed, bend, along * (-inward * pushed.mass), scale);
 	}
@@ -345,8 +347,9 @@ bool boxes_overlap(const MotionPage &page, const MovingBody &body) {
 }
 
 bool is_valid(const MovingBody &body) {
-	return is_finite(body.from) && is_finite(body.to) && is_finite(body.velocity) && is_finite(body.half_width) &&
-			is_finite(body.half_depth) && std::isfinite(body.radius) && body.radius > 0.0f;
+	return is_finite(body.from) && is_finite(body.to) && is_finite(body.velocity) && std::isfinite(body.growth) &&
+			is_finite(body.half_width) && is_finite(body.half_depth) && std::isfinite(body.radius) &&
+			body.radius > 0.0f;
 }
 
 glm::vec3 nearest_in_core(const MovingBody &body, const glm::vec3 &point) {

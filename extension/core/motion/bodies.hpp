@@ -22,6 +22,7 @@ struct MovingBody {
 	glm::vec3 to = { 0.0f, 0.0f, 0.0f };
 	float radius = 0.5f; ///< m, > 0.
 	glm::vec3 velocity = { 0.0f, 0.0f, 0.0f }; ///< m/s.
+	float growth = 0.0f; ///< m/s, of the radius.
 	/// m, of a box only: half of its core's other two edges, at right angles to the middle line and to each other.
 	glm::vec3 half_width = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 half_depth = { 0.0f, 0.0f, 0.0f };

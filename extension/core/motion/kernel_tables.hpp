@@ -70,7 +70,7 @@ struct StemModeStep {
 	float air_lag; ///< m, as in StemMode.
 };
 
-/// The tip's bend in the middle of a step, of the first mode at its start.
+/// The tip's bend in the middle of a step, or a little later, of the first mode at its start.
 struct StemTip {
 	float of_place;
 	float of_rate; ///< s.
@@ -113,6 +113,24 @@ struct StemPage {
 	StemStep step;
 };
 
+/// Weight of water and snow on the stems of a species. Without it they rest as their species says, since a rest
+/// direction contains the bend under a stem's own weight.
+struct StemWeight {
+	float slope = 0.0f; ///< Linear slope of the tip of a level stem of the species' length (slope_of_load()).
+	/// Direction in which the weight acts, relative to that of the tip: StemConstants::axial_share.
+	float along = 1.0f;
+	float max_half = 1.0f; ///< rad: half of the maximum bend. Variables for the same reason as in bounded().
+	float min_square = 1e-12f;
+
+	bool is_none() const { return slope == 0.0f; }
+};
+
+/// Bends of tips, in the frame of the rest, that stems return to in calm air. `share`: of each mode's amplitude.
+struct CalmBends {
+	float *x, *z;
+	float share[MAX_STEM_MODES];
+};
+
 /// Bends at places along the stems of a species, as sums of four factors that stem_factors() finds for each plant: both
 /// amplitudes, and the third and fifth power of the tip's bend. Three bends (Gauss) give the centre of a place.
 struct StemCurve {
@@ -152,6 +170,20 @@ struct KernelSet {
 	void (*step_stem)(const StemPage &page, int count, const PlantWinds &winds, const PlantAir &air);
 	/// Brings stems whose tips are below the ground up to it; step_stem() does it as well.
 	void (*lift_stems)(const StemPage &page, int count);
+	/// Writes bends of tips to which the weight would bring stems, in the frame of their rest, for the step that begins
+	/// now, from the first mode alone (StemTip).
+	///
+	/// The weight bends a stem by slope·sin θ, where θ is the angle from upright of a place about halfway. So the
+	/// weight also makes stems softer, and lays them over if it is greater than their buckling load. It acts on plants
+	/// that wind or bodies bend as well. No weight bends a stem by more than 2 rad, so that steps of any length
+	/// converge.
+	///
+	/// No stem is exactly straight: for the weight each one leans by up to 0.15 rad more along x and along z, by its
+	/// root (m), in the frame of the rest. A plant at the origin does not.
+	void (*weigh_stems)(const StemPage &page, const float *root_x, const float *root_z, int count,
+			const StemWeight &weight, float *x, float *z);
+	/// Adds to a step what these bends change: a mode's step is linear in its distance from the equilibrium.
+	void (*move_calm)(const StemPage &page, int count, const CalmBends &calm);
 	/// Writes for each stem which of its halves may be in a body: 1 for the lower, 2 for the upper. With the distances
 	/// a and b of its ends from the core, a piece of a stem is at least (a + b - length) / 2 away. `reach`: twice the
 	/// body's radius (m).

@@ -18,10 +18,11 @@ namespace baseline_kernels {
 #include "motion/kernel_spring.inc"
 #include "motion/kernel_stem.inc"
 #include "motion/kernel_stem_bodies.inc"
+#include "motion/kernel_weight.inc"
 
 static const KernelSet SET = { step_elasticity, step_spring, step_elasticity_in_air, step_spring_in_air, step_stem,
-	lift_stems, find_near_stems, measure_stem, encode_elasticity, encode_spring, encode_stem, interpolate_elasticity,
-	interpolate_spring };
+	lift_stems, weigh_stems, move_calm, find_near_stems, measure_stem, encode_elasticity, encode_spring, encode_stem,
+	interpolate_elasticity, interpolate_spring };
 
 } // namespace baseline_kernels
 

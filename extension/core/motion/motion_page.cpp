@@ -94,6 +94,7 @@ void MotionPage::add(const MotionPlant *plants, int count) {
 	add_owns(plants);
 	if (is_swinging) {
 		update_constants(before);
+		settle_under_weight(before);
 	}
 }
 
@@ -148,6 +149,7 @@ void MotionPage::settle() {
 	for (int i = 0; i < size(); i++) {
 		settle(i);
 	}
+	settle_under_weight(0);
 }
 
 void MotionPage::drop(int index) {
@@ -194,6 +196,8 @@ bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 void MotionPage::set_species(const MotionSpecies &species) {
 	const bool has_other_radius = species.collision_radius != kind.collision_radius;
 	const bool has_one_of_two = modes() < max_modes();
+	const Precipitation carried = load;
+	carry({});
 	set_modes(max_modes());
 	if (is_swinging && !has_same_columns(species)) {
 		change_columns(species);
@@ -207,6 +211,7 @@ void MotionPage::set_species(const MotionSpecies &species) {
 		update_constants(0);
 	}
 	set_modes(has_one_of_two ? 1 : max_modes());
+	carry(carried);
 	if (has_other_radius) {
 		update_box();
 	}
@@ -326,7 +331,7 @@ void MotionPage::update_box() {
 std::size_t MotionPage::bytes() const {
 	return rows.bytes() + blocks.capacity() * sizeof(BlockBox) +
 			(pairs.capacity() + second_pairs.capacity()) * sizeof(Bend) + owns.capacity() * sizeof(OwnStem) +
-			ahead.bytes() + lasting.bytes() + sizeof(MotionPage);
+			unloaded.capacity() * sizeof(StemConstants) + ahead.bytes() + lasting.bytes() + sizeof(MotionPage);
 }
 
 /// Moves a state to another rest direction, at the same distance from it in the plane of the spring law.

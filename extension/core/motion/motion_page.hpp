@@ -66,7 +66,8 @@ struct MovedStems {
 ///
 /// Stem law: a stem that bends along its length (stem/stem_beam.hpp, motion/stem_step.hpp). One or two oscillators per
 /// plant in the frame of its rest. Its direction is that of the tip, and tip() is the end of the bent stem. The
-/// equilibrium of an upright plant under a horizontal force F is tan φ = F·StemConstants::dead_slope.
+/// equilibrium of an upright plant under a horizontal force F is tan φ = F·StemConstants::dead_slope. The wind's
+/// Precipitation makes stems heavier (stem/loaded_stem.hpp); other laws ignore it.
 ///
 /// Winds are horizontal in the axes of the roots. Directions may have other axes; step() takes the wind's direction in
 /// those. Values out of range are clamped to the nearest safe one; nothing becomes NaN. Only adding allocates. Results
@@ -267,6 +268,10 @@ private:
 	StemStep stems = {};
 	float max_load_scale = 1.0f; ///< Stem law: upper bound of LOAD_SCALE, graded or not.
 	float fastest = 1.0f; ///< Graded stems: highest frequency relative to the species'.
+	Precipitation load; ///< Stem law: what plants carry since the last step, rounded.
+	std::vector<StemConstants> unloaded; ///< `whole` without the load, if there is one.
+	StemWeight weight; ///< Of the load.
+	bool has_stepped = false;
 	float max_lean = 0.0f; ///< Stem law: upper bound of the rest's bends.
 	glm::vec3 box_low = { 0.0f, 0.0f, 0.0f };
 	glm::vec3 box_high = { 0.0f, 0.0f, 0.0f };
@@ -305,7 +310,10 @@ private:
 	float quickest_swing() const;
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void settle(int index);
-	void add_lasting_bends(const KernelSet &set, int begin, int count);
+	void carry(const Precipitation &precipitation);
+	void settle_under_weight(int begin);
+	bool find_calm_bends(
+			const KernelSet &set, const StemPage &block, int begin, int count, const CalmBends &calm) const;
 	void lodge(int begin, int count);
 	void grow_box(int index, bool is_first);
 	void grow_block(int index, const glm::vec3 &low, const glm::vec3 &high);

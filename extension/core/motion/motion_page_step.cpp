@@ -6,6 +6,8 @@
 #include "motion/motion_page_columns.hpp"
 #include "motion/page_wind.hpp"
 #include "motion/part_bend.hpp"
+#include "stem/loaded_stem.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -224,29 +226,75 @@ void MotionPage::lodge(int begin, int count) {
 	}
 }
 
-/// A mode's step is linear in its distance from the equilibrium, so a lasting bend, which moves the equilibrium, adds
-/// its own part after the kernel.
-void MotionPage::add_lasting_bends(const KernelSet &set, int begin, int count) {
-	for (int row = begin; row < begin + count; row += LastingBends::BLOCK) {
-		const int some = std::min(LastingBends::BLOCK, begin + count - row);
-		if (!lasting.is_any(row, some)) {
-			continue;
-		}
-		const StemPage block = stem_page(row);
-		for (int i = 0; i < some; i++) {
-			glm::vec2 calm[MAX_STEM_MODES];
-			divide_tip(kind.stem, lasting.at(row + i), calm);
+void MotionPage::carry(const Precipitation &precipitation) {
+	if (precipitation == load || !is_swinging || kind.law != Law::stem) {
+		return;
+	}
+	load = precipitation;
+	if (unloaded.empty()) {
+		unloaded.push_back(whole);
+	}
+	const StemConstants bare = unloaded.front();
+	whole = loaded_stem(bare, load);
+	kind.stem = modes() == whole.modes ? whole : in_one_mode(whole);
+	weight = { slope_of_load(bare, load), bare.axial_share };
+	if (!load.has_load()) {
+		unloaded.clear();
+	}
+	update_constants(0);
+	if (!has_stepped) {
+		settle_under_weight(0);
+	}
+}
+
+/// Returns false if all plants return to their rest.
+bool MotionPage::find_calm_bends(
+		const KernelSet &set, const StemPage &block, int begin, int count, const CalmBends &calm) const {
+	const bool is_any = lasting.is_any(begin, count);
+	if (!is_any && weight.is_none()) {
+		return false;
+	}
+	if (weight.is_none()) {
+		std::fill_n(calm.x, count, 0.0f);
+		std::fill_n(calm.z, count, 0.0f);
+	} else {
+		set.weigh_stems(block, column(ROOT_X) + begin, column(ROOT_Z) + begin, count, weight, calm.x, calm.z);
+	}
+	for (int i = 0; is_any && i < count; i++) {
+		const glm::vec2 bend = lasting.at(begin + i);
+		calm.x[i] += bend.x;
+		calm.z[i] += bend.y;
+	}
+	return true;
+}
+
+/// Plants from `begin` on that are at rest and do not move begin with the bend of their load.
+void MotionPage::settle_under_weight(int begin) {
+	constexpr int TRIES = 64;
+	constexpr float MAX_ROUNDING = 1e-3f; // Of bends as half floats.
+	if (weight.is_none()) {
+		return;
+	}
+	const KernelSet &set = kernels(best_simd_level());
+	glm::vec2 share[MAX_STEM_MODES];
+	divide_tip(kind.stem, { 1.0f, 0.0f }, share);
+	for (int row = begin; row < size(); row++) {
+		StemState state = stem(row);
+		const bool is_still = glm::length(tip_bend(kind.stem, state)) < MAX_ROUNDING &&
+				glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;
+		for (int i = 0; is_still && i < TRIES; i++) {
+			glm::vec2 bend;
+			set.weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
 			for (int k = 0; k < kind.stem.modes; k++) {
-				const StemModeStep &mode = block.step.mode[k];
-				const float place = block.dead_ease ? block.by_height[k][0][i] : mode.place_from_place;
-				const float rate = block.dead_ease ? block.by_height[k][2][i] : mode.rate_from_place;
-				block.x[k][i] = std::clamp(block.x[k][i] - place * calm[k].x, -MAX_STEM_AMPLITUDE, MAX_STEM_AMPLITUDE);
-				block.z[k][i] = std::clamp(block.z[k][i] - place * calm[k].y, -MAX_STEM_AMPLITUDE, MAX_STEM_AMPLITUDE);
-				block.rate_x[k][i] -= rate * calm[k].x;
-				block.rate_z[k][i] -= rate * calm[k].y;
+				state.place[k] = share[k].x * bend;
 			}
+			put_stem(row, state);
 		}
-		set.lift_stems(block, some);
+		if (is_still) {
+			set_stem(row, state);
+			set_before(row, direction(row));
+			set_stem_before(row, stem(row));
+		}
 	}
 }
 
@@ -260,9 +308,19 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 		}
 	} else if (kind.law == Law::stem) {
 		const StemPage block = stem_page(begin);
+		float calm_x[BlockWind::PLANTS];
+		float calm_z[BlockWind::PLANTS];
+		CalmBends calm = { calm_x, calm_z, {} };
+		const bool has_calm = find_calm_bends(set, block, begin, count, calm);
 		set.step_stem(block, count, winds, air);
-		if (lasting.is_any()) {
-			add_lasting_bends(set, begin, count);
+		if (has_calm) {
+			glm::vec2 share[MAX_STEM_MODES];
+			divide_tip(kind.stem, { 1.0f, 0.0f }, share);
+			for (int k = 0; k < kind.stem.modes; k++) {
+				calm.share[k] = share[k].x;
+			}
+			set.move_calm(block, count, calm);
+			set.lift_stems(block, count);
 		}
 		lodge(begin, count);
 		if (easing > 0.0f && modes() == 2) {
@@ -283,6 +341,8 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 
 void MotionPage::step(const WindSnapshot &wind, const PlantWinds &along, SimdLevel level) {
 	const KernelSet &set = kernels(level);
+	carry(rounded(wind.precipitation));
+	has_stepped = true;
 	if (keeps_directions) {
 		remember();
 	}

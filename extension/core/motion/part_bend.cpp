@@ -29,6 +29,11 @@ constexpr float GUST = 0.5f;
 constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
+constexpr float DROP = 0.12f; // Amplitude after a drop.
+// Steps of the sequences that choose the second and the moment of a drop: the golden ratio and its square root, so that
+// parts take turns.
+constexpr float DROP_STEP = 0.7548777f;
+constexpr float DROP_OF_PHASE = 13.7f;
 constexpr float INWARD = 0.12f; // About 14°: max bend of a part towards its stem.
 constexpr float HEAD = 0.6f; // Heads turn as a whole.
 constexpr float CALM = 2e-3f; // A stem with a smaller bend is at rest: the resolution of half floats.
@@ -38,6 +43,21 @@ constexpr float LEANS = 3.0f;
 
 float wave(float cycles) {
 	return static_cast<float>(std::sin(2.0 * PI * (cycles - std::floor(cycles))));
+}
+
+/// Bend of a part by the last drop on it: at most one in each second of the clock.
+float bend_by_drops(const PartMotion &part, float clock, float chance) {
+	constexpr float SECONDS = static_cast<float>(SWING_PERIOD);
+	const float at = clock * SECONDS + DROP_OF_PHASE * part.phase;
+	const float second = std::floor(at);
+	const float since = at - second;
+	const float toss = DROP_STEP * (second - SECONDS * std::floor(second / SECONDS)) + DROP_OF_PHASE * part.phase;
+	if (toss - std::floor(toss) >= chance) {
+		return 0.0f;
+	}
+	const float left = (1.0f - since) * (1.0f - since);
+	const float turns = part.frequency * since;
+	return DROP * left * std::exp(-2.0f * static_cast<float>(PI) * part.damping_ratio * turns) * wave(turns);
 }
 
 glm::quat quaternion_of(const glm::vec2 &bend) {
@@ -70,6 +90,10 @@ glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem) {
 			FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * strength;
 	const glm::vec2 flap = part.is_head() ? wind : part.side;
 	bend += flap * (flutter * (0.7f * one + 0.3f * other)) + glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
+
+	if (stem.drops > 0.0f) {
+		bend += part.side * (soft * bend_by_drops(part, stem.clock, stem.drops));
+	}
 
 	const float inward = std::max(-glm::dot(bend, part.side), 0.0f);
 	const float outward = std::max(glm::dot(bend, part.side), 0.0f);

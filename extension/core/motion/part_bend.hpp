@@ -20,6 +20,7 @@ struct StemMotion {
 	float air = 0.0f; ///< m/s, around the plant (PartAir).
 	float stirred = 0.0f; ///< m/s, of the strongest source that reaches the field. Only bent stems feel it.
 	float turns = 0.0f; ///< 0 to 1: PartAir::turns().
+	float drops = 0.0f; ///< 0 to 1: drop_chance().
 };
 
 /// Bend of a part relative to its stem: the stereographic image of its tip's turn about its pivot, at most
@@ -30,6 +31,7 @@ struct StemMotion {
 /// - it flutters in air that is faster than its onset, which grows with its frequency, at about its frequency and its
 ///   own phase; soon with an amplitude that hardly grows, most on the lee side, and less with more damping (Tadrist et
 ///   al. 2018),
+/// - drops of rain push it down; it swings back at its frequency within a second,
 /// - stiff parts (of high frequency) move less, and no part folds far towards its stem or into the ground.
 ///
 /// So parts of a stem at rest in calm air are still, and parts of a stem that a body holds in calm air, too. The result

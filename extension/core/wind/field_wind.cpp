@@ -63,6 +63,7 @@ WindSnapshot wind_at_time(const FieldWind &field_wind, const PlantWinds &along, 
 	now.min_delay = std::isfinite(field_wind.min_delay) ? field_wind.min_delay : 0.0f;
 	now.duration = safe(gust_duration(wind), static_cast<float>(LONG_AGO));
 	now.is_air = wind.kind == WindKind::air;
+	now.precipitation = field_wind.precipitation;
 	if (now.is_air) {
 		now.air = air_at_time(field_wind.air, field_wind.axes, field_wind.tiles.get(), time);
 	}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wind/air.hpp"
+#include "wind/precipitation.hpp"
 #include "wind/wind.hpp"
 #include "wind/wind_kernels.hpp"
 
@@ -18,6 +19,7 @@ struct FieldWind {
 	Air air = {}; ///< For WindKind::air.
 	AirAxes axes = {}; ///< Of the positions.
 	std::shared_ptr<const AirTiles> tiles = nullptr; ///< Null: no turbulence.
+	Precipitation precipitation = {}; ///< The same everywhere.
 };
 
 /// Delay of the wind at (x, z) relative to the origin (s).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/simd.hpp"
+#include "wind/precipitation.hpp"
 
 #include <cstdint>
 
@@ -110,6 +111,7 @@ struct WindSnapshot {
 	bool is_air = false; ///< True: uses `air` and the gust, in m/s, and nothing else.
 	AirSnapshot air = {};
 	AirSources sources = {}; ///< Added to every kind of wind.
+	Precipitation precipitation = {};
 	const AirDrift *drift = nullptr; ///< Velocities of moving roots, subtracted from every kind of wind; null: none.
 };
 

@@ -111,7 +111,9 @@ MovingBody transformed(const Transform3D &to, const MovingBody &body) {
 	moved.half_width = squared_up(to_glm(to.basis.xform(to_godot(body.half_width))), along, glm::vec3(0.0f));
 	moved.half_depth = squared_up(to_glm(to.basis.xform(to_godot(body.half_depth))), along, moved.half_width);
 	moved.velocity = to_glm(to.basis.xform(to_godot(body.velocity)));
-	moved.radius = body.radius * std::sqrt(to.basis.rows[0].length() * to.basis.rows[2].length());
+	const float scale = std::sqrt(to.basis.rows[0].length() * to.basis.rows[2].length());
+	moved.radius = body.radius * scale;
+	moved.growth = body.growth * scale;
 	return moved;
 }
 

@@ -125,7 +125,9 @@ const std::vector<MovingBody> &GroupBodies::gather(double ago) {
 				glm::mix(shape.before.in_world, shape.now.in_world, part) };
 			gathered.push_back(place.shape);
 			if (shape.stepped_at >= 0.0) {
-				gathered.back().velocity = velocity(shape.stepped, place, time - ago - shape.stepped_at);
+				const double seconds = time - ago - shape.stepped_at;
+				gathered.back().velocity = velocity(shape.stepped, place, seconds);
+				gathered.back().growth = growth(shape.stepped, place, seconds);
 			}
 			shape.stepped = place;
 			shape.stepped_at = time - ago;
@@ -145,6 +147,10 @@ glm::vec3 GroupBodies::velocity(const Spot &from, const Spot &to, double seconds
 	const bool is_world_less = glm::length(in_world) < float(to_world.basis.xform(to_godot(in_field)).length());
 	const glm::vec3 way = is_world_less ? to_glm(to_field.basis.xform(to_godot(in_world))) : in_field;
 	return way / float(seconds);
+}
+
+float GroupBodies::growth(const Spot &from, const Spot &to, double seconds) {
+	return seconds > 0.0 ? (to.shape.radius - from.shape.radius) / float(seconds) : 0.0f;
 }
 
 std::vector<GroupBodies::Event> GroupBodies::find_events(const std::function<bool(const MovingBody &)> &touches) {

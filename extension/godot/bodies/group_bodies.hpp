@@ -91,6 +91,7 @@ private:
 	void note_shape(Shape &shape, const BodyReading::Shape &read) const;
 	bool is_jump(const Spot &from, const Spot &to) const;
 	glm::vec3 velocity(const Spot &from, const Spot &to, double seconds) const;
+	static float growth(const Spot &from, const Spot &to, double seconds); ///< m/s.
 	void warn_of(const BodyReading::Body &read);
 	void warn_of_group(int members, double delta);
 };

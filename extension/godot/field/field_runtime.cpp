@@ -73,6 +73,7 @@ double FieldRuntime::advance(double delta, bool simulates) {
 	if ((simulates || has_chosen || is_unshown || !unseen.empty()) && is_seen) {
 		refresh(now.axes);
 	}
+	show_precipitation(properties.wind);
 	skeletons.pose(store, motion);
 	if (!simulates || store.plant_count() == 0) {
 		return 0.0;
@@ -89,7 +90,13 @@ void FieldRuntime::preview(double delta, const Ref<PlantWind> &blowing) {
 	update_wind_kind(blowing);
 	motion.preview(frame(delta, blowing), properties);
 	refresh();
+	show_precipitation(blowing);
 	skeletons.pose(store, motion);
+}
+
+// Also without simulation. Costs a comparison if nothing has changed.
+void FieldRuntime::show_precipitation(const Ref<PlantWind> &wind) {
+	materials.send_precipitation(setup, wind.is_valid() ? wind->precipitation() : Precipitation());
 }
 
 // The margin covers plants that were added since the last box.

@@ -222,6 +222,7 @@ private:
 	/// Render settings of skeletons, which are drawn at the first level.
 	InstanceRenderFlags near_flags() const;
 	void send_stems();
+	void show_precipitation(const godot::Ref<PlantWind> &wind);
 	FieldMotion::Frame frame(double delta, const godot::Ref<PlantWind> &wind) const;
 	FieldSettings settings() const;
 	/// Excludes streamed tiles of a first build.

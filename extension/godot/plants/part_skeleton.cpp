@@ -143,7 +143,7 @@ glm::vec3 PartSkeleton::second_bend(const TipState &tip, const StemSecond &secon
 
 bool PartSkeleton::is_calm() const {
 	return glm::distance(stem.bend, stem.rest) < CALM_BEND && glm::length(stem.rate) < CALM_RATE &&
-			glm::length(stem.second) < CALM_RATE && stem.air < CALM_AIR;
+			glm::length(stem.second) < CALM_RATE && stem.air < CALM_AIR && stem.drops <= 0.0f;
 }
 
 glm::vec3 PartSkeleton::arm(const glm::vec3 &direction, float share) const {

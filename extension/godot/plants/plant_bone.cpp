@@ -42,6 +42,7 @@ void PlantBone::follow(const Step &step) {
 	parts->stem.clock = step.clock;
 	parts->stem.air = step.air;
 	parts->stem.turns = step.turns;
+	parts->stem.drops = step.drops;
 	const glm::vec3 second = turned(to_glm(to_local.xform(to_godot(step.second))), -parts->stem.rest);
 	parts->stem.second = { second.x, second.z };
 }

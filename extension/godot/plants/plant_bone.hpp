@@ -48,6 +48,7 @@ struct PlantBone {
 		glm::vec3 second; ///< MotionPage::second_bend().
 		float air = 0.0f; ///< As in StemMotion.
 		float turns = 0.0f;
+		float drops = 0.0f;
 	};
 	void follow(const Step &step);
 	/// Returns MotionPage::second_bend() of a stem in this state, for a plant of parts that is on no page.

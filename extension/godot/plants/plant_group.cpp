@@ -68,6 +68,7 @@ void PlantGroup::step(const FieldWind &blowing, double start, const std::vector<
 		const float speed = air_speed_at(in_world, along, kind.species, kind.taller, page.length(0), page.root(0));
 		air.step(speed, double(page.step_length()));
 	}
+	drops = drop_chance(blowing.precipitation);
 	page.step(now, { nullptr, way.x, way.z, side.x, side.z });
 }
 
@@ -75,9 +76,10 @@ void PlantGroup::pose(float alpha, float swing_clock) {
 	directions.resize(bones.size());
 	page.interpolate(alpha, directions.data());
 	for (size_t i = 0; i < bones.size(); i++) {
+		bones[i].is_calm = bones[i].is_calm && drops <= 0.0f;
 		bones[i].show(directions[i], [&]() -> PlantBone::Step {
 			return { page.before(int(i)), page.direction(int(i)), page.step_length(), swing_clock,
-				page.second_bend(int(i), alpha), air.speed(), air.turns() };
+				page.second_bend(int(i), alpha), air.speed(), air.turns(), drops };
 		});
 	}
 }

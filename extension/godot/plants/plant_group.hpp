@@ -52,6 +52,7 @@ struct PlantGroup {
 	RootVelocities roots; ///< One for each row.
 	glm::mat3 axes; ///< Of the kind's frame.
 	PartAir air; ///< At the first plant.
+	float drops = 0.0f; ///< As in StemMotion.
 
 	void add(Plant3D *plant, const MotionPlant &description, const PlantBone &bone);
 	/// Removes a row; the last plant gets its index.

@@ -11,7 +11,8 @@
 
 namespace undergrowth {
 
-/// A wind that any number of plants share: a force (thesis, section 4.3) or moving air. Bridge to core/wind.
+/// A wind that any number of plants share: a force (thesis, section 4.3) or moving air, with water and snow on plants.
+/// Bridge to core/wind.
 /// PlantSimulation advances its clock, once a step for any number of plants and fields.
 class PlantWind : public godot::Resource {
 	GDCLASS(PlantWind, godot::Resource)
@@ -36,6 +37,7 @@ private:
 	/// A change from one air to another over time.
 	struct Blend {
 		Air from, to;
+		Precipitation wet_from, wet_to;
 		double begin = 0.0; ///< s, of the wind's clock.
 		double duration = 0.0; ///< s; 0: none.
 	};
@@ -54,9 +56,11 @@ private:
 	void take_air(const Air &wanted);
 	void change(const Air &wanted);
 	void set_air(float Air::*part, const char *property, double value, const Range &range);
+	void set_precipitation(float Precipitation::*part, const char *property, double value, const Range &range);
 	bool is_air(const char *method) const;
 	godot::Vector3 sample_air_force(double at_time) const;
 	static void bind_air();
+	static void bind_precipitation();
 	void set_number(float &slot, const char *property, double value, const Range &range);
 
 protected:
@@ -95,6 +99,13 @@ public:
 	void set_canopy_wave_amount(double share);
 	double get_canopy_wave_amount() const;
 	int64_t get_beaufort() const;
+	void set_wetness(double share);
+	double get_wetness() const;
+	void set_snow(double share);
+	double get_snow() const;
+	void set_rain(double millimetres_per_hour);
+	double get_rain() const;
+	const Precipitation &precipitation() const { return blowing.precipitation; }
 	/// Returns the velocity of the air (m/s) at a position (world axes; y is the height above the ground).
 	godot::Vector3 sample_velocity(double at_time, const godot::Vector3 &place) const;
 	/// Returns the velocities of the air (m/s) at the tops of the canopy, with its waves, at horizontal world positions

@@ -30,6 +30,7 @@ static constexpr Range GUSTINESS_RANGE = { 0.0, 0.3 };
 static constexpr Range ROUGHNESS_RANGE = { 1e-5, 0.5 };
 static constexpr Range CANOPY_HEIGHT_RANGE = { 0.0, 9.0 };
 static constexpr Range SHARE_RANGE = { 0.0, 1.0 };
+static constexpr Range RAIN_RANGE = { 0.0, 1000.0 };
 static constexpr Range BLEND_RANGE = { 0.0, 86400.0 };
 static constexpr float FORCE_HEIGHT = 1.0f; // m above the ground: height of the force that sample() returns.
 
@@ -99,6 +100,38 @@ void PlantWind::set_canopy_wave_amount(double share) {
 
 double PlantWind::get_canopy_wave_amount() const {
 	return shortest_decimal(blowing.air.canopy_wave_amount);
+}
+
+void PlantWind::set_precipitation(float Precipitation::*part, const char *property, double value, const Range &range) {
+	if (accept_value(this, property, value, range) && float(value) != blowing.precipitation.*part) {
+		blend.duration = 0.0; // A property that is set ends the blend.
+		blowing.precipitation.*part = float(value);
+		emit_changed();
+	}
+}
+
+void PlantWind::set_wetness(double share) {
+	set_precipitation(&Precipitation::wetness, "wetness", share, SHARE_RANGE);
+}
+
+double PlantWind::get_wetness() const {
+	return shortest_decimal(blowing.precipitation.wetness);
+}
+
+void PlantWind::set_snow(double share) {
+	set_precipitation(&Precipitation::snow, "snow", share, SHARE_RANGE);
+}
+
+double PlantWind::get_snow() const {
+	return shortest_decimal(blowing.precipitation.snow);
+}
+
+void PlantWind::set_rain(double millimetres_per_hour) {
+	set_precipitation(&Precipitation::rain, "rain", millimetres_per_hour, RAIN_RANGE);
+}
+
+double PlantWind::get_rain() const {
+	return shortest_decimal(blowing.precipitation.rain);
 }
 
 int64_t PlantWind::get_beaufort() const {
@@ -177,6 +210,8 @@ void PlantWind::blend_to(const Ref<PlantWind> &wind, double seconds) {
 	}
 	blend.from = blowing.air;
 	blend.to = wind->blowing.air;
+	blend.wet_from = blowing.precipitation;
+	blend.wet_to = wind->blowing.precipitation;
 	// Turns by the smaller angle.
 	blend.to.heading = blend.from.heading + std::remainder(blend.to.heading - blend.from.heading, 2.0 * PI);
 	blend.begin = clock.now();
@@ -205,11 +240,18 @@ static Air mixed(const Air &from, const Air &to, double share) {
 	return air;
 }
 
+static Precipitation mixed(const Precipitation &from, const Precipitation &to, double share) {
+	const auto part = float(share);
+	return { glm::mix(from.wetness, to.wetness, part), glm::mix(from.snow, to.snow, part),
+		glm::mix(from.rain, to.rain, part) };
+}
+
 void PlantWind::set_clock(const StepTime &next) {
 	if (blend.duration > 0.0) {
 		const double share = std::clamp((next.now() - blend.begin) / blend.duration, 0.0, 1.0);
 		const bool is_there = share >= 1.0 || next.now() == blend.begin;
 		take_air(is_there ? blend.to : mixed(blend.from, blend.to, share));
+		blowing.precipitation = is_there ? blend.wet_to : mixed(blend.wet_from, blend.wet_to, share);
 		direction = blowing.air.heading;
 		blowing.wind.direction = float(direction);
 		if (is_there) {

@@ -27,6 +27,21 @@ void PlantWind::_validate_property(PropertyInfo &property) const {
 	}
 }
 
+void PlantWind::bind_precipitation() {
+	ClassDB::bind_method(D_METHOD("set_wetness", "share"), &PlantWind::set_wetness);
+	ClassDB::bind_method(D_METHOD("get_wetness"), &PlantWind::get_wetness);
+	ClassDB::bind_method(D_METHOD("set_snow", "share"), &PlantWind::set_snow);
+	ClassDB::bind_method(D_METHOD("get_snow"), &PlantWind::get_snow);
+	ClassDB::bind_method(D_METHOD("set_rain", "millimetres_per_hour"), &PlantWind::set_rain);
+	ClassDB::bind_method(D_METHOD("get_rain"), &PlantWind::get_rain);
+	ADD_GROUP("Rain and Snow", "");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "rain", PROPERTY_HINT_RANGE, "0,100,0.1,or_greater,suffix:mm/h"),
+			"set_rain", "get_rain");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "wetness", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_wetness", "get_wetness");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "snow", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_snow", "get_snow");
+}
+
 void PlantWind::bind_air() {
 	ClassDB::bind_method(D_METHOD("set_speed", "metres_per_second"), &PlantWind::set_speed);
 	ClassDB::bind_method(D_METHOD("get_speed"), &PlantWind::get_speed);
@@ -96,6 +111,7 @@ void PlantWind::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "travel_speed", PROPERTY_HINT_RANGE, "0,50,0.1,or_greater,suffix:m/s"),
 			"set_travel_speed", "get_travel_speed");
 	bind_air();
+	bind_precipitation();
 
 	BIND_ENUM_CONSTANT(KIND_GUST);
 	BIND_ENUM_CONSTANT(KIND_CONSTANT);

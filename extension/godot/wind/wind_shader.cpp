@@ -106,6 +106,8 @@ void show_wind(const FieldWind &air, double time, const Ref<Material> &material)
 	server->material_set_param(
 			target, "undergrowth_canopy_air", Vector4(canopy.mean, canopy.gust, canopy.side_gust, waves));
 	server->material_set_param(target, "undergrowth_wind_roughness", now.roughness);
+	server->material_set_param(
+			target, "undergrowth_precipitation", Vector2(air.precipitation.wetness, air.precipitation.snow));
 }
 
 void free_wind_textures() {

@@ -1,4 +1,5 @@
 #include "../field/field_fixture.hpp"
+#include "../stem/stems.hpp"
 
 #include <doctest/doctest.h>
 
@@ -78,6 +79,38 @@ TEST_CASE("a sphere pushes with its velocity, and a body at rest only stops appr
 		CHECK(push_plants(other.page(0), ball) == 1);
 		CHECK(std::fabs(other.state(0, 0).rate.x) < 0.05f);
 	}
+}
+
+TEST_CASE("a growing sphere pushes with the velocity of its surface, and a shrinking one does not hold tips") {
+	for (const Law law : BOTH_LAWS) {
+		FieldSimulation field = calm_plant(law);
+		MovingBody ball;
+		ball.from = ball.to = { -0.3f, 1.0f, 0.1f };
+		ball.radius = 0.3f;
+		ball.growth = 2.0f;
+		push_plants(field.page(0), ball);
+		CHECK(field.page(0).tip_velocity(0).x == doctest::Approx(2.0).epsilon(0.02));
+
+		FieldSimulation other = calm_plant(law);
+		ball.growth = -2.0f;
+		CHECK(push_plants(other.page(0), ball) == 1);
+		CHECK(std::fabs(other.page(0).tip_velocity(0).x) < 0.05f);
+	}
+}
+
+TEST_CASE("a stem beside a growing sphere moves with its surface") {
+	StemState still, pushed;
+	MovingBody ball;
+	ball.from = ball.to = { -0.3f, 0.5f, 0.0f };
+	ball.radius = 0.31f;
+	const StemConstants stem = solve_stem(stem_of(0.3)).constants;
+	const auto speed_of = [&](StemState &state, float growth) {
+		ball.growth = growth;
+		REQUIRE(push_plant(stem, state, { 0.0f, 0.0f }, { 0.0f, 0.0f, 0.0f }, stem.length, 0.0f, ball));
+		return state.rate[0].x;
+	};
+	CHECK(speed_of(still, 0.0f) == doctest::Approx(0.0));
+	CHECK(speed_of(pushed, 2.0f) > 1.0f);
 }
 
 TEST_CASE("distant bodies, bodies below another page's plants and invalid ones touch nothing") {

@@ -1,5 +1,6 @@
 #include "motion/part_bend.hpp"
 #include "motion/swing_clock.hpp"
+#include "wind/precipitation.hpp"
 
 #include <doctest/doctest.h>
 
@@ -221,4 +222,46 @@ TEST_CASE("a bent blade preserves its length") {
 		}
 		CHECK(length == doctest::Approx(0.4f).epsilon(1e-4));
 	}
+}
+
+TEST_CASE("drops of rain push leaves outward and let them come to rest within a second") {
+	int moved = 0;
+	float furthest = 0.0f;
+	for (int i = 0; i < 128 * 64; i++) {
+		StemMotion stem;
+		stem.clock = static_cast<float>(i) / (128.0f * 64.0f);
+		stem.drops = 0.25f;
+		const glm::vec2 bend = part_bend(leaf(0.3f), stem);
+		moved += glm::length(bend) > 1e-4f ? 1 : 0;
+		furthest = std::max(furthest, bend.x);
+		stem.drops = 0.0f;
+		CHECK(part_bend(leaf(0.3f), stem) == glm::vec2(0.0f));
+	}
+	CHECK(moved > 128 * 64 / 6); // A quarter of the seconds.
+	CHECK(moved < 128 * 64 / 3);
+	CHECK(furthest > 0.02f);
+}
+
+TEST_CASE("leaves in rain move without a jump, also where the clock wraps, and not all at once") {
+	constexpr int STEPS = 128 * 256;
+	float jump = 0.0f;
+	int together = 0;
+	for (int i = 0; i <= STEPS; i++) {
+		StemMotion stem;
+		stem.drops = 0.3f;
+		stem.clock = static_cast<float>(i) / STEPS;
+		const glm::vec2 before = part_bend(leaf(0.3f), stem);
+		together += glm::length(before) > 1e-3f && glm::length(part_bend(leaf(0.55f), stem)) > 1e-3f ? 1 : 0;
+		stem.clock = static_cast<float>((i + 1) % STEPS) / STEPS;
+		jump = std::max(jump, glm::distance(before, part_bend(leaf(0.3f), stem)));
+	}
+	CHECK(jump < 0.01f);
+	CHECK(together < STEPS / 5);
+}
+
+TEST_CASE("heavy rain hits leaves more often than light rain") {
+	CHECK(drop_chance({}) == 0.0f);
+	CHECK(drop_chance({ 0.0f, 0.0f, 2.0f }) < 0.05f);
+	CHECK(drop_chance({ 0.0f, 0.0f, 50.0f }) > 0.6f);
+	CHECK(drop_chance({ 0.0f, 0.0f, 1000.0f }) <= 1.0f);
 }

@@ -86,3 +86,29 @@ TEST_CASE("a wind in m/s bends the tip to sin θ/cos² θ = its linear slope") {
 		}
 	}
 }
+
+TEST_CASE("undamped stems gain no energy under a steady force") {
+	constexpr float GAIN = 1.02f; // Of a small swing, by rounding.
+	constexpr int SWINGS = 400;
+	for (const double frequency : { 0.7, 2.0, 4.0, 10.0 }) {
+		for (const float step : { 1.0f / 60.0f, 1.0f / 30.0f }) {
+			for (const float slope : { 0.3f, 1.0f, 3.0f }) {
+				StemPlants plants(simple_stem(frequency, 0.0), 1, step);
+				plants.set_strength(0, slope / plants.constants().dead_slope);
+				const float calm = slope / (1.0f + std::sqrt(1.0f + slope * slope));
+				plants.set_place(0, { calm + 0.03f, 0.0f });
+				const auto furthest_in = [&](int swings) {
+					float furthest = 0.0f;
+					for (int i = 0; i < static_cast<int>(swings / (frequency * plants.time_step())); i++) {
+						plants.step();
+						furthest = std::max(furthest, std::abs(plants.place(0).x - calm));
+					}
+					return furthest;
+				};
+				const float before = furthest_in(40);
+				furthest_in(SWINGS);
+				CHECK(furthest_in(40) <= before * GAIN);
+			}
+		}
+	}
+}

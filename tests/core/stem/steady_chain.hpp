@@ -56,6 +56,19 @@ public:
 		}
 	}
 
+	/// Equilibrium of a stem whose foot leans by `lean` (rad), under `mass` kg per m² of drag area. Angles are from the
+	/// foot's direction.
+	void settle_load(double mass, double lean) {
+		const auto weight_of = [&](double air) { return 9.81 * mass * air / HALF_AIR; };
+		for (int i = 0; i < count; i++) {
+			sideways[i] = weight_of(drag(i)) * std::sin(lean);
+			upward[i] = -weight_of(drag(i)) * std::cos(lean);
+		}
+		head_sideways = weight_of(head_drag()) * std::sin(lean);
+		head_upward = -weight_of(head_drag()) * std::cos(lean);
+		relax();
+	}
+
 	/// In stem lengths; x a whole number of links.
 	glm::dvec2 place(double x) const {
 		glm::dvec2 sum(0.0);

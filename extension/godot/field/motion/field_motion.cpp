@@ -696,19 +696,23 @@ FieldMotion::Delays FieldMotion::follower_delays(const Transform3D &axes) const 
 	return { world_delay(delays.after(), axes), world_delay(delays.before(), axes), delays.share(shown_alpha) };
 }
 
-glm::vec3 FieldMotion::part_air(int species) const {
+glm::vec4 FieldMotion::part_air(int species) const {
 	const auto index = size_t(species);
-	return index < airs.size() ? glm::vec3(airs[index].speed(), stirred, airs[index].turns()) : glm::vec3(0.0f);
+	if (index >= airs.size()) {
+		return glm::vec4(0.0f);
+	}
+	return { airs[index].speed(), stirred, airs[index].turns(), drop_chance(precipitation()) };
 }
 
 StemMotion FieldMotion::blocking_read_drawn_stem(const PlantRef &ref) const {
 	const int page = rows_of(ref.chunk).page;
 	StemMotion stem = simulation->shown_stem(page, row_of(ref), shown_alpha);
-	const glm::vec3 air = part_air(simulation->page(page).species());
+	const glm::vec4 air = part_air(simulation->page(page).species());
 	stem.clock = swing_clock();
 	stem.air = air.x;
 	stem.stirred = air.y;
 	stem.turns = air.z;
+	stem.drops = air.w;
 	return stem;
 }
 

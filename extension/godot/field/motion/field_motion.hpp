@@ -120,8 +120,11 @@ public:
 	godot::RID beat_texture() const { return textures ? textures->beats() : godot::RID(); }
 	/// Drawn time of the swing clock: 0 to 1, a fraction of SWING_PERIOD.
 	float swing_clock() const { return swings.now(shown_alpha); }
-	/// Air that makes parts of a species flutter: speed, speed of sources (m/s), and turns, as in StemMotion.
-	glm::vec3 part_air(int species) const;
+	/// What makes parts of a species flutter: speed of the air, speed of sources (m/s), turns and drops, as in
+	/// StemMotion.
+	glm::vec4 part_air(int species) const;
+	/// Water and snow on plants.
+	Precipitation precipitation() const { return simulation ? simulation->wind().precipitation : Precipitation(); }
 	/// Position of the drawn frame in the steps of the motion.
 	double shown_steps() const { return shown_at; }
 	/// Length of a step (s).

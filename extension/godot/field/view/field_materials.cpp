@@ -83,6 +83,7 @@ void FieldMaterials::forget_sent() {
 	sent_clock = -1.0f;
 	sent_leans.clear();
 	sent_before = {};
+	sent_precipitation = {};
 }
 
 void FieldMaterials::bind(FieldRenderSetup &setup, const FieldMotion &motion) {
@@ -263,7 +264,8 @@ void FieldMaterials::send_swing_clock(const FieldMotion &motion, const SeenDista
 	for (const Swinging &one : swinging) {
 		if (seen.nearest < one.end && one.nearest <= seen.farthest && one.farthest >= seen.nearest) {
 			server->material_set_param(one.material, swing, Vector3(clock, one.whole, one.end));
-			server->material_set_param(one.material, air, to_godot(motion.part_air(one.species)));
+			const glm::vec4 around = motion.part_air(one.species);
+			server->material_set_param(one.material, air, Vector4(around.x, around.y, around.z, around.w));
 		}
 	}
 }
@@ -286,6 +288,20 @@ void FieldMaterials::send_leans(const FieldRenderSetup &setup, const FieldMotion
 		sent_leans[i] = lean;
 		for (const Ref<ShaderMaterial> &material : setup.styles[i].materials) {
 			server->material_set_param(material->get_rid(), mean_lean, lean);
+		}
+	}
+}
+
+void FieldMaterials::send_precipitation(const FieldRenderSetup &setup, const Precipitation &precipitation) {
+	if (precipitation == sent_precipitation) {
+		return;
+	}
+	sent_precipitation = precipitation;
+	static const StringName &name = *new StringName("undergrowth_precipitation");
+	const Vector2 value(precipitation.wetness, precipitation.snow);
+	for (const SpeciesStyle &style : setup.styles) {
+		for (const Ref<ShaderMaterial> &material : style.materials) {
+			RenderingServer::get_singleton()->material_set_param(material->get_rid(), name, value);
 		}
 	}
 }

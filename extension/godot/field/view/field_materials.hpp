@@ -37,6 +37,8 @@ public:
 	bool has_swinging(const FieldRenderSetup &setup);
 	/// Sets the mean leans of species whose mean has changed visibly.
 	void send_leans(const FieldRenderSetup &setup, const FieldMotion &motion);
+	/// Sets the water and snow that plants show.
+	void send_precipitation(const FieldRenderSetup &setup, const Precipitation &precipitation);
 	/// Sets the bending shapes of stems.
 	void send_stems(const FieldRenderSetup &setup);
 	/// Sets what instances of prototypes show in this frame.
@@ -65,6 +67,7 @@ private:
 	std::vector<float> sent_leans; ///< By species; empty: none.
 	int frames_since_leans = 0;
 	MotionVectors::Sent sent_before; ///< To the current materials.
+	Precipitation sent_precipitation; ///< The same.
 
 	void forget_sent();
 	void bind_style(const SpeciesStyle &style, const FieldMotion &motion) const;

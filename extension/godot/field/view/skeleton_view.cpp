@@ -200,7 +200,7 @@ void SkeletonView::pose(const PlantStore &store, const FieldMotion &motion) cons
 		}
 		if (entry.parts) {
 			entry.parts->stem = { own, to_own(stem.rate), to_own(stem.rest), to_own(stem.second), stem.clock, stem.air,
-				stem.stirred, stem.turns };
+				stem.stirred, stem.turns, stem.drops };
 			entry.parts->pose(skeleton);
 		}
 	}
