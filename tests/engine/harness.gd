@@ -200,6 +200,7 @@ func _run_one(test: String) -> bool:
 	_errors = []
 	_check_count = 0
 	_listener.take()
+	var begin := Time.get_ticks_msec()
 	await before_each()
 	await call(test)
 	await after_each()
@@ -212,6 +213,7 @@ func _run_one(test: String) -> bool:
 		print("ok " + test)
 	else:
 		print("not ok %s: %s" % [test, "; ".join(_problems).replace("\n", " ")])
+	print("took %.1f s" % ((Time.get_ticks_msec() - begin) * 0.001))
 	return _problems.is_empty()
 
 

@@ -81,8 +81,8 @@ func settled(field: PlantField3D) -> void:
 	RenderingServer.render_loop_enabled = is_drawn
 
 
-## Waits as in all tests, but draws the stage in the last frames only. A software renderer needs most
-## of the time for it. Fields do the same work in each frame.
+## Waits as in all tests, but draws the stage in the last frames only. In software that takes most of
+## the time. Fields do the same work in each frame.
 func frames(count: int) -> void:
 	var unseen := maxi(count - DRAWN_FRAMES, 0)
 	_draw_stage(false)
@@ -98,8 +98,8 @@ func _draw_stage(is_drawn: bool) -> void:
 		)
 
 
-## Returns the picture of the stage, two frames after all of its fields show their settings. Only the
-## last one is drawn.
+## Returns the picture of the stage, two frames after all of its fields show their settings. Only
+## the last one is drawn.
 func picture() -> Image:
 	if DisplayServer.get_name() == "headless":
 		printerr("There is nothing to take a picture of: run this script with a renderer.")

@@ -18,8 +18,8 @@ const SPECIES: Array[String] = [
 	"lavender",
 	"cornflower"
 ]
-## Of these, one of this many is drawn with Forward+, which needs three times as long. Cards depend on
-## their species, and both renderers share the shaders.
+## Of these, one of this many is drawn with Forward+, which needs three times as long. Cards depend
+## on their species, and both renderers share the shaders.
 const OF_FORWARD := 3
 const MAX_COVERAGE_ERROR := 0.1
 ## Of levels that drop some leaves, because they have so few segments.

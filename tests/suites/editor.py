@@ -104,7 +104,6 @@ def scripts_of(run, only=None):
 def run(godot, only=None):
     """Imports the project, then runs the driver in tests/editor several times in the editor."""
     make_project()
-    shutil.rmtree(HOME, ignore_errors=True)
     shutil.rmtree(PICTURES, ignore_errors=True)
     PICTURES.mkdir(parents=True)
     for old in PICTURES_END.glob("dock_*.png"):
