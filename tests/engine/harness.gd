@@ -133,10 +133,12 @@ func physics_frames(count: int) -> void:
 		await physics_frame
 
 
-## Waits for worker threads until [param holds] is true, at most one minute.
+## Waits for worker threads until [param holds] is true, at most two minutes. Frames do not wait for
+## the clock, so it leaves the processor to the workers.
 func until(holds: Callable, what: String) -> void:
-	var deadline := Time.get_ticks_msec() + 60000
+	var deadline := Time.get_ticks_msec() + 120000
 	while not holds.call() and Time.get_ticks_msec() < deadline:
+		OS.delay_usec(1000)
 		await process_frame
 	check(holds.call(), what)
 
