@@ -29,9 +29,13 @@ TEST_CASE("exactly the plants along lines and in polygons are found, at any heig
 		for (int slot = 0; slot < store.chunk(number).size(); slot++) {
 			const glm::vec3 root = store.chunk(number).root(slot);
 			const glm::vec2 place = { root.x, root.z };
-			const glm::vec2 way = to - from;
-			const float along_way = std::clamp(glm::dot(place - from, way) / glm::dot(way, way), 0.0f, 1.0f);
-			beside_line += static_cast<std::size_t>(glm::distance(place, from + along_way * way) <= 2.5f);
+			double nearest = 1.0e9;
+			for (int i = 0; i <= 2000; i++) {
+				nearest = std::min(nearest,
+						static_cast<double>(
+								glm::distance(place, from + (to - from) * (static_cast<float>(i) / 2000.0f))));
+			}
+			beside_line += static_cast<std::size_t>(nearest <= 2.5);
 			beside_point += static_cast<std::size_t>(glm::distance(place, from) <= 2.5f);
 			polygons += static_cast<std::size_t>(is_inside(polygon, place));
 		}
