@@ -81,8 +81,8 @@ func settled(field: PlantField3D) -> void:
 	RenderingServer.render_loop_enabled = is_drawn
 
 
-## Waits as in all tests, but draws the stage in the last frames only. In software that takes most of
-## the time. Fields do the same work in each frame.
+## Waits as in all tests, but draws the stage in the last frames only. In software that takes most
+## of the time. Fields do the same work in each frame.
 func frames(count: int) -> void:
 	var unseen := maxi(count - DRAWN_FRAMES, 0)
 	_draw_stage(false)
