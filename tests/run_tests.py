@@ -19,6 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
 from suites import arm64, editor, engine, export, package, picture, programs, soak, species, windows  # noqa: E402  (the path above comes first)
+from suites.result import processor_time  # noqa: E402
 
 LOGS = ROOT / "build/test"
 
@@ -71,10 +72,10 @@ def rounds_of(options):
 def run_all(suites, jobs):
     """Returns the results in the order of `suites` and prints each at its end."""
     def timed(name, run):
-        start = time.monotonic()
+        start, used = time.monotonic(), processor_time()
         result = run()
-        print(f"{name:<32}{result.passed:>5} passed {len(result.failures):>3} failed "
-              f"{time.monotonic() - start:>7.1f} s", flush=True)
+        print(f"{name:<32}{result.passed:>5} passed {len(result.failures):>3} failed {time.monotonic() - start:>7.1f} s, "
+              f"{processor_time() - used:>7.1f} s of a processor", flush=True)
         return result
 
     with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:

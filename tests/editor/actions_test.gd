@@ -24,8 +24,7 @@ func run(test: String) -> void:
 ## Saves a picture of the editor's window with a dialog.
 func take_dialog_picture(dialog: Window, name: String) -> void:
 	await frames(3)
-	EditorInterface.get_base_control().queue_redraw()  # Without any movement no frame is drawn.
-	await RenderingServer.frame_post_draw
+	await drawn()
 	if not pictures_folder.is_empty():
 		dialog.get_texture().get_image().save_png(pictures_folder.path_join("dialog_%s.png" % name))
 

@@ -45,6 +45,9 @@ const CALM_FRAMES := 3
 ## Minimum number of colours of a picture that is not empty.
 const MIN_COLORS := 40
 
+## Number of pictures that tests wait for. The driver then draws all of each frame.
+static var awaited_pictures := 0
+
 ## Folder for [method take_picture]. Empty: it saves nothing.
 var pictures_folder := ""
 
@@ -162,9 +165,17 @@ func take_picture(name: String, of: Control = null) -> void:
 	check(colors.size() >= MIN_COLORS, "dock_%s.png has %d colours" % [name, colors.size()])
 
 
-func _photograph(name: String, of: Control = null) -> Image:
+## Waits for a frame that is drawn with all views.
+func drawn() -> void:
+	awaited_pictures += 1
+	await frames(1)
 	EditorInterface.get_base_control().queue_redraw()  # Without any movement no frame is drawn.
 	await RenderingServer.frame_post_draw
+	awaited_pictures -= 1
+
+
+func _photograph(name: String, of: Control = null) -> Image:
+	await drawn()
 	var window := EditorInterface.get_base_control().get_window()
 	var picture := window.get_texture().get_image()
 	if of:

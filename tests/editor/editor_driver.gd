@@ -27,8 +27,13 @@ const LIMIT_SECONDS := 60.0
 const LIMIT_FRAMES := 3000
 ## Seconds after which a line reports a running test.
 const LIFE_SIGN_SECONDS := 10.0
-## One of this many frames is drawn. Without a graphics card, drawing takes nearly all of the time.
+## One of this many frames is drawn, and those for pictures. Without a graphics card, drawing takes
+## nearly all of the time.
 const DRAWN_FRAME := 8
+## One of this many frames draws the 3D viewports too: plants take longer than the window.
+const DRAWN_SCENE := 32
+## Microseconds of sleep in each frame. The editor would set 100,000 in a window without the focus.
+const FRAME_SLEEP := 1
 ## One of this many pixels of the 3D viewports is drawn.
 const DRAWN_PIXEL := 4
 
@@ -43,7 +48,19 @@ func _enter_tree() -> void:
 
 
 func _process(_delta: float) -> void:
-	RenderingServer.render_loop_enabled = Engine.get_process_frames() % DRAWN_FRAME == 0
+	OS.low_processor_usage_mode_sleep_usec = FRAME_SLEEP
+	var frame := Engine.get_process_frames()
+	var is_awaited := EditorTest.awaited_pictures > 0
+	RenderingServer.render_loop_enabled = is_awaited or frame % DRAWN_FRAME == 0
+	_draw_scene(is_awaited or frame % DRAWN_SCENE == 0)
+
+
+func _draw_scene(is_drawn: bool) -> void:
+	var mode := SubViewport.UPDATE_WHEN_VISIBLE if is_drawn else SubViewport.UPDATE_DISABLED
+	for i in 4:
+		var view := EditorInterface.get_editor_viewport_3d(i)
+		if view.render_target_update_mode != mode:
+			view.render_target_update_mode = mode
 
 
 func _run(wish: String) -> void:

@@ -6,6 +6,11 @@ const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 const PREVIEW_SCRIPT := "res://addons/undergrowth/editor/inspector/plant_preview.gd"
 const PLOT_SCRIPT := "res://addons/undergrowth/editor/widgets/profile_plot.gd"
 const WIND_BUTTON_SCRIPT := "res://addons/undergrowth/editor/wind/wind_button.gd"
+## Scripts with several controls in turn. All others have one.
+const RENEWED: PackedStringArray = [PREVIEW_SCRIPT, PLOT_SCRIPT]
+
+# Controls by script. A search visits all nodes of the editor.
+static var _found: Dictionary[String, Control] = {}
 
 
 ## Returns the panel's content, or null if the plugin is off.
@@ -15,8 +20,13 @@ func dock() -> Control:
 
 ## Returns the control of the editor with this script, or null.
 func find_by_script(path: String) -> Control:
+	var known: Variant = _found.get(path)
+	if is_instance_valid(known) and _is_in_editor(known as Control):
+		return known
 	var found: Array[Node] = []
 	_collect(EditorInterface.get_base_control(), path, found)
+	if found and path not in RENEWED:
+		_found[path] = found[0]
 	return found[0] if found else null
 
 
@@ -151,6 +161,10 @@ func find_key(key: String) -> int:
 		if tile_key(i) == key:
 			return i
 	return -1
+
+
+func _is_in_editor(control: Control) -> bool:
+	return control.is_inside_tree() and not control.is_queued_for_deletion()
 
 
 func _collect(node: Node, script_path: String, found: Array[Node]) -> void:

@@ -22,8 +22,7 @@ func take_style(name: String) -> void:
 func take_dialog_style(dialog: Window, name: String) -> void:
 	check_nothing_is_cut(dialog, name)
 	await frames(6)
-	EditorInterface.get_base_control().queue_redraw()  # Without any movement no frame is drawn.
-	await RenderingServer.frame_post_draw
+	await drawn()
 	if not pictures_folder.is_empty():
 		var path := pictures_folder.path_join(style_name("dialog_" + name) + ".png")
 		dialog.get_texture().get_image().save_png(path)

@@ -16,15 +16,23 @@ func after_each() -> void:
 ## Adds the field to the tree and waits until it is built.
 func start() -> void:
 	root.add_child(field)
-	await field.build_finished
-	await frames(2)
+	await built(field)
+	await frames(1)
+
+
+## Waits until [param building] is built, and leaves the processor to its workers.
+func built(building: PlantField3D) -> void:
+	var is_built := [false]
+	building.build_finished.connect(func() -> void: is_built[0] = true, CONNECT_ONE_SHOT)
+	while not is_built[0]:
+		OS.delay_usec(500)
+		await process_frame
 
 
 ## Waits until [param filling] is built and its tiles are joined. A signal's sender must not be
 ## freed while it emits.
 func filled(filling: PlantField3D) -> void:
-	await filling.build_finished
-	await process_frame
+	await built(filling)
 	while filling.is_inside_tree() and not is_settled(filling):
 		await process_frame
 

@@ -18,6 +18,9 @@ const SPECIES: Array[String] = [
 	"lavender",
 	"cornflower"
 ]
+## Of these, one of this many is drawn with Forward+, which needs three times as long. Cards depend
+## on their species, and both renderers share the shaders.
+const OF_FORWARD := 3
 const MAX_COVERAGE_ERROR := 0.1
 ## Of levels that drop some leaves, because they have so few segments.
 const MAX_COVERAGE_ERROR_OF_FEW := 0.3
@@ -77,7 +80,9 @@ func after_each() -> void:
 
 func test_levels_with_cards_cover_as_much_in_the_same_colour() -> void:
 	stage.size = Vector2i(FINEST, FINEST)
-	for name in SPECIES:
+	var is_forward := RenderingServer.get_current_rendering_method() == "forward_plus"
+	for index in range(0, SPECIES.size(), OF_FORWARD if is_forward else 1):
+		var name := SPECIES[index]
 		for pair in await _pairs_of(name):
 			var share := pair.shown.w / pair.whole.w
 			var most := MAX_COVERAGE_ERROR if pair.segments > FEW else MAX_COVERAGE_ERROR_OF_FEW

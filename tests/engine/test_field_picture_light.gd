@@ -144,6 +144,7 @@ func _blown(field: PlantField3D, name: String) -> Image:
 
 
 func _blow(field: PlantField3D) -> Image:
+	_draw_stage(false)
 	for i in BLOWS:
 		field._preview(STEP, field.wind)
 		if i % 10 == 0:

@@ -99,13 +99,13 @@ func test_shadows_come_again_after_they_were_off() -> void:
 	stage.add_child(_field)
 	_look_from(Vector3(0, 1.2, 1.5))
 	await settled(_field)
-	await _frames(LATE)
+	await frames(LATE)
 	var first := await picture()
 	_field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
-	await _frames(POLLED)
+	await frames(POLLED)
 	check(count_different(first, await picture()) > MIN_SHADOW, "no shadows when they are off")
 	_field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_ON
-	await _frames(POLLED)
+	await frames(POLLED)
 	check(count_different(first, await picture()) <= MAX_DIFFERENT, "the same shadows again")
 
 
@@ -118,7 +118,7 @@ func test_shadows_of_a_large_meadow_cost_little() -> void:
 	stage.size = Vector2i(160, 90)
 	_look_from(Vector3(0, 1.7, 18))
 	await settled(_field)
-	await _frames(3 * LATE)
+	await frames(3 * LATE)
 	var primitives := _shadow_info(RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME)
 	var draws := _shadow_info(RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
 	check(primitives > 1000, "%d primitives of shadows" % primitives)
@@ -132,24 +132,19 @@ func _look_from(place: Vector3) -> void:
 
 ## Returns the number of pixels of a viewport that differ without shadows.
 func _count_shadows(seen: SubViewport = stage) -> int:
-	await _frames(LATE)
+	await frames(LATE)
 	var shaded := await _picture_of(seen)
 	var usual := _field.shadow_distance
 	_field.shadow_distance = 0.0
 	var bright := await _picture_of(seen)
 	_field.shadow_distance = usual
-	await _frames(LATE)  # The plants are listed again for the present camera.
+	await frames(LATE)  # The plants are listed again for the present camera.
 	return count_different(shaded, bright)
 
 
 func _picture_of(seen: SubViewport) -> Image:
 	await picture()
 	return seen.get_texture().get_image()
-
-
-func _frames(count: int) -> void:
-	for i in count:
-		await RenderingServer.frame_post_draw
 
 
 func _shadow_info(info: RenderingServer.ViewportRenderInfo) -> int:

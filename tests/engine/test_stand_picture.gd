@@ -33,7 +33,7 @@ func test_a_default_field_has_direction_and_depth() -> void:
 	var camera := stage.get_camera_3d()
 	camera.fov = VIEW_DEGREES
 	camera.look_at_from_position(Vector3(0, 1.7, 7.0), Vector3(0, 0.2, 4.2))
-	var shown := await _drawn(field)
+	var shown := await picture()
 	var coherence := _coherence_of(shown)
 	check(coherence >= MIN_COHERENCE, "coherence of blade directions: %.2f" % coherence)
 	var values := _values_of(shown)
@@ -43,19 +43,8 @@ func test_a_default_field_has_direction_and_depth() -> void:
 	var spread := values[count * 95 / 100] / maxf(low, 1e-4)
 	check(spread >= MIN_VALUE_RANGE, "range of values: %.1f" % spread)
 	field.combed = 0.0
-	var free := _coherence_of(await _drawn(field))
+	var free := _coherence_of(await picture())
 	check(free < coherence - 0.1, "without combing: %.2f, with it %.2f" % [free, coherence])
-
-
-## Returns the picture. Few frames are drawn, because that is slow in software.
-func _drawn(field: PlantField3D) -> Image:
-	stage.render_target_update_mode = SubViewport.UPDATE_DISABLED
-	await settled(field)
-	for i in 2:
-		stage.render_target_update_mode = SubViewport.UPDATE_ONCE
-		await frames(1)
-	await RenderingServer.frame_post_draw
-	return stage.get_texture().get_image()
 
 
 ## Returns the mean over squares of (a - b) / (a + b), with the eigenvalues a and b of the structure

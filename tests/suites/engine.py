@@ -62,7 +62,9 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "stand_picture": ["forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
 # The slowest scripts, which start first.
-SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread"}
+SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread", "field_extremes", "field_picture_cards",
+        "field_picture_msaa", "field_picture_near", "field_materials_in_use", "field_vectors", "ground_picture",
+        "guide_shaders_msaa", "mesh_plants_picture", "shadows_picture", "stand_picture"}
 # Additional settings in the projects of some scripts.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",

@@ -4,11 +4,14 @@ import dataclasses
 import os
 import signal
 import subprocess
+import threading
 import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LOGS = ROOT / "build/test"
+POLL = 0.05  # s
+_used = threading.local()
 
 
 @dataclasses.dataclass
@@ -35,15 +38,17 @@ def run(name, command, timeout=300, folder=ROOT, environment=None, silence=None)
     return log.read_text(errors="replace"), problem
 
 
+def processor_time():
+    """Returns the seconds on processors of all programs that this thread has run, with their ended children."""
+    return getattr(_used, "seconds", 0.0)
+
+
 def wait(process, log, timeout, silence):
     """Returns the error of the process at its end, or None."""
     end = time.monotonic() + timeout
     size, spoken = 0, time.monotonic()
-    while True:
-        try:
-            return complaint(process.wait(min(1.0, max(0.0, end - time.monotonic()))))
-        except subprocess.TimeoutExpired:
-            now = time.monotonic()
+    while not has_ended(process):
+        now = time.monotonic()
         if log.stat().st_size != size:
             size, spoken = log.stat().st_size, now
         if silence and now - spoken > silence:
@@ -51,9 +56,23 @@ def wait(process, log, timeout, silence):
         elif now >= end:
             problem = f"not done after {timeout} s"
         else:
+            time.sleep(POLL)
             continue
         kill_group(process)
         return problem
+    return complaint(process.returncode)
+
+
+def has_ended(process):
+    """True if the process has ended. Its processor time then counts for this thread."""
+    if os.name != "posix":
+        return process.poll() is not None
+    pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+    if pid == 0:
+        return False
+    process.returncode = os.waitstatus_to_exitcode(status)
+    _used.seconds = processor_time() + usage.ru_utime + usage.ru_stime
+    return True
 
 
 def kill_group(process):

@@ -82,10 +82,9 @@ class Chosen(unittest.TestCase):
     def test_without_names_all_run(self):
         self.assertEqual(self.chosen(), list(self.ALL))
 
-    def test_the_slowest_scripts_exist_and_are_headless(self):
+    def test_the_slowest_scripts_exist(self):
         for subject in engine.SLOW:
             self.assertTrue((ROOT / f"tests/engine/test_{subject}.gd").exists(), subject)
-            self.assertTrue(engine.is_headless(f"engine:{subject}"), subject)
 
 
 class DoctestOutput(unittest.TestCase):
