@@ -86,9 +86,9 @@ func test_tiles_that_load_after_the_camera_moved_cast_shadows() -> void:
 	_look_from(Vector3(-0.4 * SIZE, 1.2, 0))
 	await settled(_field)
 	_look_from(Vector3(0.4 * SIZE, 1.2, 0))
-	await _frames(1)  # The plants around this camera are listed before its tiles exist.
+	await frames(1)  # The plants around this camera are listed before its tiles exist.
 	await settled(_field)
-	await _frames(LATE)
+	await frames(LATE)
 	var loaded := await picture()
 	check(await _count_shadows() > MIN_SHADOW, "shadows of the loaded tiles")
 	check(count_different(loaded, await picture()) <= MAX_DIFFERENT, "the same in a new list")

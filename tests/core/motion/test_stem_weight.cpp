@@ -137,7 +137,7 @@ TEST_CASE("a wet stem swings as slowly as one whose leaves have the mass of the 
 		before = now;
 	}
 	const double measured = (crossings - 1) / (static_cast<double>(last - first) * static_cast<double>(FIELD_STEP));
-	figures::record(figures::SWINGS, "wet stem that has 2 Hz when dry", expected, measured, 2, "Hz");
+	figures::record(figures::SWINGS, "wet stem that has 2 Hz when dry", expected, measured, 2, " Hz");
 	CHECK(measured == doctest::Approx(expected).epsilon(PERIOD_TOLERANCE));
 }
 
