@@ -20,6 +20,15 @@ float newtons_of_air(const MotionSpecies &species) {
 	return species.stem.dead_slope > 0.0f ? species.stem.air_slope / species.stem.dead_slope : 0.0f;
 }
 
+/// Speed (m/s) of draughts between plants in light air of `speed` m/s at 10 m: convection over warm ground adds gusts
+/// of about half a metre per second to a weak wind (Beljaars 1995). None in still air, and none from Beaufort 3 on.
+float draught_in(float speed) {
+	constexpr float DRAUGHT = 0.6f;
+	constexpr float LIGHT_AIR = 0.3f; // m/s: Beaufort 1 begins.
+	constexpr float GENTLE_BREEZE = 3.4f; // m/s: Beaufort 3 begins.
+	return DRAUGHT * std::min(speed / LIGHT_AIR, 1.0f) * std::max(1.0f - speed / GENTLE_BREEZE, 0.0f);
+}
+
 } // namespace
 
 static void add_sources_at(const WindSnapshot &wind, float length, const glm::vec3 &root, glm::vec2 &velocity) {
@@ -51,7 +60,8 @@ float air_speed_at(const WindSnapshot &wind, const PlantWinds &along, const Moti
 		add_sources_at(wind, length, root, velocity);
 	}
 	const float speed = glm::length(velocity);
-	return std::isfinite(speed) ? speed : 0.0f;
+	const float least = wind.is_air ? draught_in(wind.air.speed) : 0.0f;
+	return std::isfinite(speed) ? std::max(speed, least) : 0.0f;
 }
 
 void PartAir::step(float speed, double seconds) {

@@ -14,7 +14,8 @@ glm::vec2 air_at(const WindSnapshot &wind, const PlantWinds &along, float canopy
 		float length, const glm::vec3 &root);
 
 /// Speed (m/s) of the wind at the top of a plant of `length` metres at `root`, in the axes of `wind`, with its sources
-/// and gusts. A wind in newtons counts as the air that bends the species as far.
+/// and gusts. A wind in newtons counts as the air that bends the species as far. In light air (Beaufort 1 and 2) at
+/// least that of draughts, so that light leaves move.
 float air_speed_at(const WindSnapshot &wind, const PlantWinds &along, const MotionSpecies &species,
 		const TallerPlants &taller, float length, const glm::vec3 &root);
 

@@ -30,10 +30,9 @@ constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
 constexpr float DROP = 0.12f; // Amplitude after a drop.
-// Steps of the sequences that choose the second and the moment of a drop: the golden ratio and its square root, so that
-// parts take turns.
+// Whether a drop falls in a second: multiples of this number (1 over the plastic number) are spread evenly within 0 to 1.
 constexpr float DROP_STEP = 0.7548777f;
-constexpr float DROP_OF_PHASE = 13.7f;
+constexpr float DROP_OF_PHASE = 13.7f; // Seconds, so that drops do not fall on all parts at once.
 constexpr float INWARD = 0.12f; // About 14°: max bend of a part towards its stem.
 constexpr float HEAD = 0.6f; // Heads turn as a whole.
 constexpr float CALM = 2e-3f; // A stem with a smaller bend is at rest: the resolution of half floats.

@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
 
 using namespace undergrowth;
@@ -37,6 +39,26 @@ TEST_CASE("the air at a plant is that of its canopy, of open ground, or within t
 	CHECK(speed_over(8.0f, 0.0f) == doctest::Approx(8.0 * open_ground_speed(0.5, 0.03)).epsilon(1e-4));
 	CHECK(speed_over(8.0f, 0.2f, { 0.9f, 1.0f }) == doctest::Approx(8.0 * canopy_speed(0.2, 0.9)).epsilon(1e-4));
 	CHECK(speed_over(0.0f, 0.6f) == 0.0f);
+}
+
+TEST_CASE("light air moves light leaves of sheltered plants, and still air moves none") {
+	PartMotion leaf;
+	leaf.side = { 1.0f, 0.0f };
+	leaf.frequency = 1.5f;
+	const auto flutter_in = [&](float speed) {
+		float furthest = 0.0f;
+		for (int i = 0; i < 500; i++) {
+			StemMotion stem;
+			stem.air = speed_over(speed, 0.2f, { 0.9f, 1.0f });
+			stem.clock = static_cast<float>(i) / 500.0f;
+			furthest = std::max(furthest, glm::length(part_bend(leaf, stem)));
+		}
+		return furthest;
+	};
+	CHECK(flutter_in(0.0f) == 0.0f);
+	CHECK(flutter_in(0.3f) > 0.01f); // A degree.
+	CHECK(flutter_in(1.5f) > 0.01f);
+	CHECK(speed_over(3.5f, 0.2f, { 0.9f, 1.0f }) < 0.15f);
 }
 
 TEST_CASE("a wind in newtons counts as the air with the same force") {
