@@ -45,8 +45,9 @@ func test_plants_around_a_camera_that_moved_cast_shadows() -> void:
 	check(await _count_shadows() > MIN_SHADOW, "shadows 48 m farther")
 
 
-func test_plants_beyond_the_nearest_ones_cast_shadows() -> void:
-	_field.density = 3.0
+func test_dense_plants_beyond_the_nearest_ones_cast_shadows() -> void:
+	_field.density = 30.0
+	_field.size = Vector2(12, 12)
 	stage.add_child(_field)
 	stage.get_camera_3d().fov = 20.0
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 4, 12), Vector3(0, 0, 2))

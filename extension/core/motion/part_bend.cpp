@@ -30,7 +30,8 @@ constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
 constexpr float ASIDE = 0.4f; // Of the flutter.
 constexpr float DROP = 0.12f; // Amplitude after a drop.
-// Whether a drop falls in a second: multiples of this number (1 over the plastic number) are spread evenly within 0 to 1.
+// Whether a drop falls in a second: multiples of this number (1 over the plastic number) are spread evenly within 0
+// to 1.
 constexpr float DROP_STEP = 0.7548777f;
 constexpr float DROP_OF_PHASE = 13.7f; // Seconds, so that drops do not fall on all parts at once.
 constexpr float INWARD = 0.12f; // About 14°: max bend of a part towards its stem.
