@@ -76,10 +76,10 @@ func test_water_makes_leaves_darker_and_snow_makes_them_lighter() -> void:
 	_wind.wetness = 1.0
 	await frames(2)
 	var wet := _mean_light(await picture())
+	_wind.wetness = 0.0
 	_wind.snow = 1.0
 	await frames(2)
 	var white := _mean_light(await picture())
-	_wind.wetness = 0.0
 	_wind.snow = 0.0
 	await frames(2)
 	check(wet < dry - 1e-3, "wet %.4f, dry %.4f" % [wet, dry])
