@@ -39,6 +39,11 @@ struct Exit {
 	glm::vec3 out; ///< Unit.
 };
 
+/// m/s, of the body's surface at the exit.
+glm::vec3 surface_velocity(const MovingBody &body, const Exit &exit) {
+	return body.velocity + body.growth * exit.out;
+}
+
 /// Away from a centre line that the point is on: towards the root, or else +x.
 glm::vec3 away_from_line(const glm::vec3 &point, const glm::vec3 &root) {
 	const glm::vec3 aside = { root.x - point.x, 0.0f, root.z - point.z };
@@ -107,8 +112,7 @@ bool push_point(
 	glm::vec3 moved = state.direction + along * (depth / (arm * std::max(size, MIN_TANGENT)));
 	moved.y = std::max(moved.y, MIN_PUSHED_HEIGHT);
 	state.direction = glm::normalize(moved);
-	const glm::vec3 surface = body.velocity + body.growth * exit.out;
-	const float inward = glm::dot(arm * state.rate - surface, along);
+	const float inward = glm::dot(arm * state.rate - surface_velocity(body, exit), along);
 	if (inward < 0.0f) {
 		state.rate -= along * (inward / arm);
 	}
@@ -138,8 +142,7 @@ bool push_place(const StemConstants &stem, const StemPoint &pushed, StemState &s
 	push_stem(stem, state, pushed, place.bend, along * (depth / std::max(size, MIN_TANGENT)), scale);
 	const glm::vec2 bend = stem_bend(stem, state.place, x);
 	const glm::vec3 velocity = stem_velocity(stem, state, pushed, bend, scale);
-	const glm::vec3 surface = body.velocity + body.growth * exit.out;
-	const float inward = glm::dot(velocity - turned(surface, -rest), along);
+	const float inward = glm::dot(velocity - turned(surface_velocity(body, exit), -rest), along);
 	if (inward < 0.0f) {
 		apply_stem_impulse(stem, state, pushed, bend, along * (-inward * pushed.mass), scale);
 	}

@@ -28,6 +28,15 @@ float swing_of(const Joint &joint, float length) {
 	return static_cast<float>(2.0 * PI) * std::sqrt(length / stiffness);
 }
 
+/// Amplitude of each mode for a bend of the tip of 1.
+void write_shares(const StemConstants &stem, float *shares) {
+	glm::vec2 modes[MAX_STEM_MODES];
+	divide_tip(stem, { 1.0f, 0.0f }, modes);
+	for (int k = 0; k < stem.modes; k++) {
+		shares[k] = modes[k].x;
+	}
+}
+
 } // namespace
 
 void MotionPage::set_step_length(float step) {
@@ -276,8 +285,8 @@ void MotionPage::settle_under_weight(int begin) {
 		return;
 	}
 	const KernelSet &set = kernels(best_simd_level());
-	glm::vec2 share[MAX_STEM_MODES];
-	divide_tip(kind.stem, { 1.0f, 0.0f }, share);
+	float share[MAX_STEM_MODES];
+	write_shares(kind.stem, share);
 	for (int row = begin; row < size(); row++) {
 		StemState state = stem(row);
 		const bool is_still = glm::length(tip_bend(kind.stem, state)) < MAX_ROUNDING &&
@@ -286,7 +295,7 @@ void MotionPage::settle_under_weight(int begin) {
 			glm::vec2 bend;
 			set.weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
 			for (int k = 0; k < kind.stem.modes; k++) {
-				state.place[k] = share[k].x * bend;
+				state.place[k] = share[k] * bend;
 			}
 			put_stem(row, state);
 		}
@@ -314,11 +323,7 @@ void MotionPage::step_block(const KernelSet &set, int begin, int count, const Pl
 		const bool has_calm = find_calm_bends(set, block, begin, count, calm);
 		set.step_stem(block, count, winds, air);
 		if (has_calm) {
-			glm::vec2 share[MAX_STEM_MODES];
-			divide_tip(kind.stem, { 1.0f, 0.0f }, share);
-			for (int k = 0; k < kind.stem.modes; k++) {
-				calm.share[k] = share[k].x;
-			}
+			write_shares(kind.stem, calm.share);
 			set.move_calm(block, count, calm);
 			set.lift_stems(block, count);
 		}

@@ -18,8 +18,6 @@ namespace {
 constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 constexpr float INF = std::numeric_limits<float>::infinity();
 
-constexpr int DIVIDED = 151; ///< Stems: whole vectors and a rest.
-
 enum class Blowing { newtons, air, both };
 constexpr Blowing WINDS[] = { Blowing::newtons, Blowing::air, Blowing::both };
 
@@ -69,10 +67,10 @@ TEST_CASE("any division of stems, at every level, gives the same bits") {
 	for (const int modes : { 1, 2 }) {
 		for (const bool leans : { false, true }) {
 			for (const Blowing wind : WINDS) {
-				StemPlants whole = meadow(modes, DIVIDED, leans);
-				StemPlants best = meadow(modes, DIVIDED, leans);
-				StemPlants parts = meadow(modes, DIVIDED, leans);
-				for (int n = 60; n < 240; n++) { // From a weak wind to a strong one and back.
+				StemPlants whole = meadow(modes, 601, leans);
+				StemPlants best = meadow(modes, 601, leans);
+				StemPlants parts = meadow(modes, 601, leans);
+				for (int n = 0; n < 250; n++) {
 					apply_wind(whole, n, wind);
 					apply_wind(best, n, wind);
 					apply_wind(parts, n, wind);
