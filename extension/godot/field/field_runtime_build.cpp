@@ -86,6 +86,7 @@ void FieldRuntime::poll_tiles(bool physics) {
 	}
 	if (!physics) {
 		motion.wait();
+		poll_watch = Stopwatch(); // The step of many plants may take a frame, and the wait must not stop the build.
 	}
 	const Stopwatch watch;
 	if (tiles.resume(tile_scene(), physics)) {
