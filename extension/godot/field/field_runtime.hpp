@@ -59,8 +59,8 @@ public:
 	Phase phase() const;
 	/// True if a build is in progress that replaces the whole field at once.
 	bool is_at_work() const { return sampler || job; }
-	/// True if it places plants, builds tiles, or joins tiles that were placed one by one.
-	bool is_building() const { return is_placing() || tiles.is_building(); }
+	/// True if it places plants, refines drafts, builds tiles, or joins tiles that were placed one by one.
+	bool is_building() const { return is_placing() || drafted || tiles.is_building(); }
 	/// Builds everything that is missing before it returns. Returns false if that is not possible.
 	bool build_now();
 	/// True if it streams, and the tile size of the properties is not that of the store.
@@ -178,6 +178,8 @@ private:
 	bool is_unshown = false; ///< Plants were removed or changed since the last refresh().
 	std::unique_ptr<SpeciesSampler> sampler; ///< Runs before the job begins.
 	std::unique_ptr<FieldBuild> job;
+	/// A first build whose plants are drafts, until their styles are refined. The rest of the field follows then.
+	std::unique_ptr<FieldBuild> drafted;
 	bool joins = false; ///< The job joins tiles that were built one by one.
 	WorkerTask clearing; ///< Frees the data of the last job.
 	GroundQueryQueue ground_queue;
@@ -244,7 +246,14 @@ private:
 	bool report_tile_fault(bool builds);
 	void finish_build();
 	void split_first_build(BuildInput &input);
-	void begin_rest(FieldBuild &finished);
+	/// True if no build has shown more than drafts.
+	bool is_first_build() const;
+	/// True if a build may show drafts first.
+	bool needs_drafts(const BuildInput &input) const;
+	void refine(std::unique_ptr<FieldBuild> &&shown);
+	/// Continues with what a first build left, after its plants are no drafts.
+	void follow(const FieldBuild &finished);
+	void begin_rest(const FieldBuild &finished);
 	void repeat_edits();
 	void wait_for_jobs();
 	bool can_query_ground() const;

@@ -38,6 +38,9 @@ void FieldRuntime::rebuild(bool places, bool styles) {
 	tiles.interrupt(tile_scene());
 	tiles.interrupt_parts();
 	is_due_again = false;
+	if (places || placed_before) {
+		drafted.reset();
+	}
 	if (places) {
 		removed_meanwhile.clear();
 		reports_parts = false; // The build reports its own end.
@@ -238,7 +241,7 @@ void FieldRuntime::serve_ground(double delta, bool physics) {
 void FieldRuntime::poll_job(bool physics) {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	const bool is_done = !physics && job->is_planned() && make_ready();
-	const bool reports = job->places() || joins;
+	const bool reports = job->places() || joins || drafted;
 	if (!is_done) {
 		if (reports) {
 			report_progress(progress());
@@ -246,20 +249,24 @@ void FieldRuntime::poll_job(bool physics) {
 		return;
 	}
 	joins = false;
-	const std::unique_ptr<FieldBuild> finished = std::move(job);
+	std::unique_ptr<FieldBuild> finished = std::move(job);
 	const bool is_adopted = adopt(*finished);
 	clearing.start(finished->take_garbage());
-	if (is_adopted && finished->has_rest()) {
-		begin_rest(*finished);
+	if (is_adopted && finished->is_draft()) {
+		refine(std::move(finished));
+		return;
 	}
 	if (is_due_again || (is_adopted && !update_levels())) {
 		rebuild(false);
+		if (is_adopted && drafted) {
+			return; // The rest follows when that has ended.
+		}
 	}
 	if (!is_adopted) {
 		fail(finished->finish().describe_fault()); // The old field stays.
-	} else if (reports && !finished->has_rest()) {
-		report_progress(1.0f);
-		finish_build();
+	} else if (reports) {
+		const std::unique_ptr<FieldBuild> first = drafted ? std::move(drafted) : std::move(finished);
+		follow(*first);
 	}
 }
 

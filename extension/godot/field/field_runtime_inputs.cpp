@@ -102,12 +102,13 @@ String FieldRuntime::make_build_input(BuildInput &input) {
 	}
 	take_existing_plants(input);
 	input.is_of_tiles = places && streams();
-	input.draws_tiles = streams();
+	input.draws_tiles = streams() || (drafted && drafted->has_rest());
 	if (input.is_of_tiles) {
 		input.tiles = tiles.choose_all(tile_scene(), input.request);
 	}
 	if (places) {
 		split_first_build(input);
+		input.is_draft = needs_drafts(input);
 	}
 	return String();
 }

@@ -21,6 +21,7 @@ namespace undergrowth {
 static constexpr double FIRST_PLANTS = 10000.0; // Of the first part of a build.
 static constexpr double MAX_WHOLE_PLANTS = 20000.0; // Up to this number a build has one part.
 static constexpr float FIRST_SHARE = 0.1f; // Of the whole build's progress.
+static constexpr float DRAFT_SHARE = 0.2f; // Of the progress of the first part: drafts.
 static constexpr float TILES_SHARE = 0.8f; // Up to this progress tiles are built; then they are joined.
 static constexpr int32_t WAITING_USEC = 100;
 
@@ -51,14 +52,28 @@ float FieldRuntime::progress() const {
 		return end + (1.0f - end) * job->progress();
 	}
 	if (job) {
-		return (job->has_rest() ? FIRST_SHARE : 1.0f) * job->progress();
+		const float whole = (drafted ? drafted : job)->has_rest() ? FIRST_SHARE : 1.0f;
+		const float begun = drafted ? DRAFT_SHARE : 0.0f;
+		return whole * (begun + ((job->is_draft() ? DRAFT_SHARE : 1.0f) - begun) * job->progress());
 	}
 	return built_before + (end - built_before) * tiles.progress();
 }
 
+bool FieldRuntime::is_first_build() const {
+	return store.generated_tiles().empty() || setup.is_draft;
+}
+
+// Measuring the errors of species takes far longer than everything else in a first build.
+bool FieldRuntime::needs_drafts(const BuildInput &input) const {
+	const std::vector<SpeciesStyle> &styles = input.setup.styles;
+	return is_first_build() && !is_urgent() && !std::all_of(styles.begin(), styles.end(), [](const SpeciesStyle &style) {
+		return style.is_measured();
+	});
+}
+
 // The tiles nearest to the cameras are built together and shown. The remaining tiles follow, one by one.
 void FieldRuntime::split_first_build(BuildInput &input) {
-	if (!store.generated_tiles().empty()) {
+	if (!is_first_build()) {
 		return;
 	}
 	const double each = double(input.request.density) * double(input.tile_size) * double(input.tile_size);
@@ -79,7 +94,22 @@ void FieldRuntime::split_first_build(BuildInput &input) {
 	input.has_rest = input.is_of_tiles = input.draws_tiles = true;
 }
 
-void FieldRuntime::begin_rest(FieldBuild &finished) {
+void FieldRuntime::refine(std::unique_ptr<FieldBuild> &&shown) {
+	drafted = std::move(shown);
+	built_before = DRAFT_SHARE * (drafted->has_rest() ? FIRST_SHARE : 1.0f);
+	rebuild(false);
+}
+
+void FieldRuntime::follow(const FieldBuild &finished) {
+	if (finished.has_rest()) {
+		begin_rest(finished);
+		return;
+	}
+	report_progress(1.0f);
+	finish_build();
+}
+
+void FieldRuntime::begin_rest(const FieldBuild &finished) {
 	built_before = FIRST_SHARE;
 	const std::vector<TileKey> &rest = finished.rest();
 	motion.make_room(finished.rest_plants(), int(rest.size() * setup.styles.size()));
@@ -92,6 +122,7 @@ void FieldRuntime::begin_rest(FieldBuild &finished) {
 
 void FieldRuntime::fail(const String &fault) {
 	sampler.reset();
+	drafted.reset();
 	removed_meanwhile.clear();
 	has_failed = true;
 	listener.fault(fault);

@@ -49,6 +49,12 @@ public:
 		return known != looks.end() ? known->second : looks.emplace(level, measure()).first->second;
 	}
 
+	/// True if level_looks() knows a level without cards. Never waits: false while a thread measures one.
+	bool knows_looks(int segments) const {
+		const std::unique_lock<std::mutex> lock(measuring, std::try_to_lock);
+		return lock.owns_lock() && looks.count({ segments, false }) > 0;
+	}
+
 private:
 	mutable std::mutex measuring;
 	mutable std::map<std::pair<int, bool>, LevelLooks> looks; ///< By segments, with and without cards.

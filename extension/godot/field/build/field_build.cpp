@@ -136,7 +136,12 @@ void FieldBuild::apply_heights() {
 	done = STANDING_SHARE;
 }
 
-void FieldBuild::build() {
+void FieldBuild::fit() {
+	result.setup.is_draft = input.is_draft;
+	if (input.is_draft) {
+		fit_drafts(result.setup);
+		return;
+	}
 	for (SpeciesStyle &style : result.setup.styles) {
 		if (is_cancelled) {
 			return;
@@ -144,6 +149,10 @@ void FieldBuild::build() {
 		style.measure();
 	}
 	fit_levels(result.setup);
+}
+
+void FieldBuild::build() {
+	fit();
 	for (SpeciesStyle &style : result.setup.styles) {
 		if (is_cancelled) {
 			return;

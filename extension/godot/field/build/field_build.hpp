@@ -30,6 +30,8 @@ struct BuildInput {
 	std::vector<TileKey> tiles;
 	std::vector<TileKey> rest; ///< Remaining tiles of the first build, built one by one, nearest first.
 	double rest_plants = 0.0; ///< Approximate number of plants in those tiles.
+	/// Styles are not measured, and have one coarse level: plants are shown early.
+	bool is_draft = false;
 	bool has_rest = false; ///< More tiles follow: `rest`, or those that a view distance adds.
 	EditLog edits; ///< Their removed plants are not built.
 	/// The generated plants before the build. Plants that exist again continue their motion.
@@ -93,6 +95,8 @@ public:
 	FieldResult &finish();
 	/// Waits until no worker thread uses it.
 	void wait();
+	/// True if its plants are drafts, and another build refines their styles.
+	bool is_draft() const { return input.is_draft; }
 	/// True if it is only the first part of a build.
 	bool has_rest() const { return input.has_rest; }
 	double rest_plants() const { return input.rest_plants; }
@@ -130,6 +134,8 @@ private:
 	void place();
 	void place_rows(const Placement &placement, float share_before, float share_after);
 	void apply_heights();
+	/// Chooses the levels of all styles.
+	void fit();
 	void build();
 };
 

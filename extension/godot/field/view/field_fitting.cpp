@@ -39,6 +39,8 @@ static constexpr float NEAR_SHADOWS = 3.0f; // m: to there, dense species cast s
 static constexpr float MAX_SHADOW_VERTICES = 600.0f; // Per m², of a species that is not dense.
 static constexpr int MIN_SEGMENTS_OF_NEAR = 3; // Coarser levels of plants of parts are drawn in squares.
 
+static constexpr int DRAFT_SEGMENTS = 5; // Few vertices, but parts are drawn one by one.
+
 // Triangles in view of a whole field, if it has this area or more (m²). Above that, levels change nearer than their
 // error alone demands.
 static constexpr float MAX_TRIANGLES = 1.1e6f;
@@ -257,6 +259,33 @@ static float coarsening_for(const FieldRenderSetup &setup, SpeciesStyle &style, 
 
 void fit_levels(const FieldRenderSetup &setup, SpeciesStyle &style) {
 	style.levels = setup.rule.is_by_error ? fitted(setup, style, 1.0f, true) : setup.levels;
+}
+
+void fit_drafts(FieldRenderSetup &setup) {
+	const auto is_draft = [](const FieldLevel &level) { return level.lod <= DRAFT_SEGMENTS; };
+	for (SpeciesStyle &style : setup.styles) {
+		if (!style.is_by_error) {
+			fit_levels(setup, style);
+			continue;
+		}
+		std::vector<FieldLevel> levels = setup.levels;
+		const auto drawn = std::find_if(levels.begin(), levels.end() - 1, is_draft);
+		for (auto level = levels.begin(); level != levels.end(); ++level) {
+			level->is_used = level == drawn;
+			level->begin = 0.0f;
+			level->end = level->is_used ? setup.rule.range_end : 0.0f;
+			level->margin = level->end_margin = MIN_MARGIN;
+			level->halvings = 0;
+			level->casts_shadows = false;
+			fit_tiles(*level, setup.tile_size, setup.rule.is_wider);
+		}
+		if (style.model()) {
+			set_for_model(style, levels);
+		} else {
+			set_casters(setup.rule, style, levels);
+		}
+		style.levels = std::move(levels);
+	}
 }
 
 // Divides the triangles by the square root of the densities. What a species does not need is left for those that need

@@ -26,6 +26,8 @@ struct FieldRenderSetup {
 	godot::Ref<godot::Material> material_override; ///< Of the node; null: none.
 	float tile_size = 16.0f; ///< m, of the tiles of chunks.
 	bool is_of_tiles = false; ///< No multimesh is wider than a tile, because tiles come and go alone.
+	/// True if its species have one coarse level each, until their errors are measured.
+	bool is_draft = false;
 	/// True in the Compatibility renderer: it reads custom data as colours if instances have no colours.
 	bool needs_colors = false;
 	int listed_count = 0; ///< Styles of the field's list of species. The remaining ones belong to added plants.

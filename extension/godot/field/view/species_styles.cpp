@@ -185,6 +185,20 @@ void SpeciesStyle::measure() {
 	}
 }
 
+bool SpeciesStyle::is_measured() const {
+	if (!is_by_error || samples.empty() || samples[0][0].model) {
+		return true;
+	}
+	for (size_t variant = 0; variant < std::min(samples[0].size(), MEASURED_VARIANTS); variant++) {
+		for (const FieldLevel &level : levels) {
+			if (!samples[0][variant].grown->knows_looks(segments_at(level))) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
 void SpeciesStyle::measure_models() {
 	are_carded.assign(samples.size(), false);
 	for (const FieldLevel &level : levels) {

@@ -97,8 +97,11 @@ struct SpeciesStyle {
 	bool needs_other_meshes(const godot::Ref<godot::Material> &material) const;
 	/// Returns drawn_material(), or the material for which its meshes were made while the former needs other meshes.
 	godot::Ref<godot::Material> present_material(const godot::Ref<godot::Material> &material_override) const;
-	/// Measures the errors of all levels if they are chosen by error. Any thread.
+	/// Measures the errors of all levels if they are chosen by error. This takes tenths of a second unless
+	/// is_measured(). Any thread.
 	void measure();
+	/// True if measure() only reads what an earlier one found. Never waits.
+	bool is_measured() const;
 	/// Returns the vertical segments at a level.
 	int segments_at(const FieldLevel &level) const;
 	/// True if all variants and the motion are sampled.
