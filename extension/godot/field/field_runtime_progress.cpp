@@ -66,9 +66,8 @@ bool FieldRuntime::is_first_build() const {
 // Measuring the errors of species takes far longer than everything else in a first build.
 bool FieldRuntime::needs_drafts(const BuildInput &input) const {
 	const std::vector<SpeciesStyle> &styles = input.setup.styles;
-	return is_first_build() && !is_urgent() && !std::all_of(styles.begin(), styles.end(), [](const SpeciesStyle &style) {
-		return style.is_measured();
-	});
+	return is_first_build() && !is_urgent() &&
+			!std::all_of(styles.begin(), styles.end(), [](const SpeciesStyle &style) { return style.is_measured(); });
 }
 
 // The tiles nearest to the cameras are built together and shown. The remaining tiles follow, one by one.
