@@ -85,10 +85,8 @@ struct StemStep {
 	float chord[MAX_STEM_MODES]; ///< The same; 0 where there is no ground.
 	float second_share; ///< In a steady wind, the second mode's amplitude over that of the first.
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
-	float dead_slope, air_slope, axial_share; ///< As in StemConstants.
-	/// The axial share of a wind in m/s: most of the stem is bent less than its tip, so less of the wind along it acts.
-	/// A chain of links gives 0.85 to 0.95 by taper and head, less for larger bends.
-	float air_along = 0.85f;
+	float dead_slope, air_slope; ///< As in StemConstants.
+	StemAlong dead_along, air_along; ///< The same.
 	float max_force; ///< N: `max_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
 	float max_place = MAX_STEM_AMPLITUDE;

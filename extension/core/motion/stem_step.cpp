@@ -112,7 +112,8 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 	const float phase = stem.mode[0].frequency * step;
 	made.dead_slope = stem.dead_slope;
 	made.air_slope = stem.air_slope;
-	made.axial_share = stem.axial_share;
+	made.dead_along = stem.dead_along;
+	made.air_along = stem.air_along;
 	made.dead_tip = tip_of(stem.mode[0].dead_share, step);
 	made.dead_tip.of_rate = lossless_rate(stem, step) * made.dead_tip.of_place;
 	made.air_tip = tip_of(stem.mode[0].air_share, step);

@@ -1,6 +1,7 @@
 #include "stem/stem_beam.hpp"
 
 #include "conventions.hpp"
+#include "stem/stem_along.hpp"
 #include "stem/stem_elements.hpp"
 #include "stem/stem_grade.hpp"
 #include "stem/stem_ground.hpp"
@@ -214,6 +215,8 @@ void Solver::write_shapes() {
 	const LargeBends air = large_bends_of_air(chain, air_shape, 1.0 / air_slope);
 	write_terms(air.x3, constants.air_shape[0], 2);
 	write_terms(air.x5, constants.air_shape[0] + 1, 2);
+	constants.dead_along = along_of_newtons(chain, constants);
+	constants.air_along = along_of_air(chain, constants);
 }
 
 void Solver::write_chords() {

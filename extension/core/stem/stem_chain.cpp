@@ -37,6 +37,13 @@ double compliance(const StemLine &line, double from, double to) {
 	return sum;
 }
 
+/// Of a link at `angle` from the foot's direction, from upright.
+StemChain::Lean turned(const StemChain::Lean &lean, double angle) {
+	const double cosine = portable_cos(angle);
+	const double sine = portable_sin(angle);
+	return { lean.cosine * cosine - lean.sine * sine, lean.sine * cosine + lean.cosine * sine };
+}
+
 } // namespace
 
 StemChain::StemChain(const StemLine &line, double youngs_modulus) :
@@ -83,14 +90,13 @@ double StemChain::turn(Angles &angles, const Angles &moments, const Angles &diag
 	return max;
 }
 
-void StemChain::settle_dead(double newtons, Angles &angles) const {
+void StemChain::settle_dead(double newtons, Angles &angles, const Lean &lean) const {
 	Angles moments;
 	Angles diagonal;
 	for (int n = 0; n < MAX_ITERATIONS; n++) {
 		for (int i = 0; i < LINKS; i++) {
-			const double across = portable_cos(angles[i]);
-			const double along = portable_sin(angles[i]);
-			moments[i] = newtons * dead[i] * across + weight[i] * along + elastic(angles, i);
+			const auto [across, along] = turned(lean, angles[i]);
+			moments[i] = newtons * dead[i] * across + weight[i] * (along - lean.sine) + elastic(angles, i);
 			diagonal[i] = newtons * dead[i] * along - weight[i] * across;
 		}
 		if (turn(angles, moments, diagonal) < SETTLED) {
@@ -101,7 +107,7 @@ void StemChain::settle_dead(double newtons, Angles &angles) const {
 
 // The pressure on a link depends only on that link's turns, so three sums represent everything above a link. The
 // derivative treats the links as if they turned one by one. This is stable and nearly as fast as the full one.
-void StemChain::settle_air(double speed_squared, Angles &angles) const {
+void StemChain::settle_air(double speed_squared, Angles &angles, const Lean &lean) const {
 	Angles moments;
 	Angles diagonal;
 	for (int n = 0; n < MAX_ITERATIONS; n++) {
@@ -109,14 +115,13 @@ void StemChain::settle_air(double speed_squared, Angles &angles) const {
 		double upward = 0.0;
 		double softer = 0.0;
 		for (int i = LINKS - 1; i >= 0; i--) {
-			const double across = portable_cos(angles[i]);
-			const double along = portable_sin(angles[i]);
+			const auto [across, along] = turned(lean, angles[i]);
 			const double press = speed_squared * std::fabs(across) * across;
 			const double head = i == LINKS - 1 ? press * head_air : 0.0;
 			const double own = press * air[i];
 			const double reach = length * H;
 			moments[i] = reach * (sideways * across - upward * along + 0.5 * own) + head * (reach + head_centre) +
-					weight[i] * along + elastic(angles, i);
+					weight[i] * (along - lean.sine) + elastic(angles, i);
 			softer += speed_squared * (air[i] + (i == LINKS - 1 ? head_air : 0.0)) * std::fabs(2.0 * across * along);
 			diagonal[i] = reach * (std::max(sideways * along + upward * across, 0.0) + softer) - weight[i] * across;
 			sideways += (own + head) * across;

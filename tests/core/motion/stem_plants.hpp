@@ -33,6 +33,8 @@ inline StemConstants simple_stem(double frequency, double damping) {
 	mode.air_lag = 0.5f;
 	stem.air_slope = static_cast<float>(area * 0.5 / static_cast<double>(mode.stiffness));
 	stem.axial_share = 0.75f;
+	stem.dead_along = { 0.75f, 0.02f };
+	stem.air_along = { 0.85f, 0.02f };
 	stem.shape[0][0] = 1.0f;
 	for (int j = 0; j <= stem.joints; j++) {
 		const float x = static_cast<float>(std::min(j + 1, stem.joints)) / static_cast<float>(stem.joints);

@@ -24,14 +24,21 @@ public:
 			sideways(links, 0.0),
 			upward(links, 0.0) {}
 
+	/// Turns the foot by `angle` (rad) from upright, with the wind. At rest the stem is straight under its own weight.
+	/// Angles and places are then from the foot's direction.
+	void lean(double angle) {
+		cosine = std::cos(angle);
+		sine = std::sin(angle);
+	}
+
 	/// Equilibrium under `newtons`, distributed as the drag area.
 	void settle_dead(double newtons) {
 		for (int i = 0; i < count; i++) {
-			sideways[i] = newtons * drag(i) / all_drag();
-			upward[i] = 0.0;
+			sideways[i] = cosine * newtons * drag(i) / all_drag();
+			upward[i] = sine * newtons * drag(i) / all_drag();
 		}
-		head_sideways = newtons * head_drag() / all_drag();
-		head_upward = 0.0;
+		head_sideways = cosine * newtons * head_drag() / all_drag();
+		head_upward = sine * newtons * head_drag() / all_drag();
 		relax();
 	}
 
@@ -99,6 +106,8 @@ private:
 	std::vector<double> upward;
 	double head_sideways = 0.0;
 	double head_upward = 0.0;
+	double cosine = 1.0; // Of the foot's lean.
+	double sine = 0.0;
 
 	double width(double link) const { return beam.diameter * (1.0 - beam.taper * link / count); }
 
@@ -126,8 +135,9 @@ private:
 		return modulus * 0.0490873852 * d * d * d * d / (link == 0 ? 0.5 * h : h);
 	}
 
-	static void press(double angle, double force, double &aside, double &up) {
-		const double across = force * std::abs(std::cos(angle)) * std::cos(angle);
+	void press(double angle, double force, double &aside, double &up) const {
+		const double seen = cosine * std::cos(angle) - sine * std::sin(angle);
+		const double across = force * std::abs(seen) * seen;
 		aside = across * std::cos(angle);
 		up = -across * std::sin(angle);
 	}
@@ -138,22 +148,27 @@ private:
 			std::vector<double> moment(count);
 			std::vector<double> pivot(count);
 			const double head_weight = 9.81 * beam.head_mass;
+			// Of the weight, in the foot's axes. What acts on the straight stem is balanced at rest.
+			double below = head_weight;
 			double aside = head_sideways;
-			double up = head_upward - head_weight;
+			double up = head_upward;
 			for (int i = count - 1; i >= 0; i--) {
 				const double arm = i == count - 1 ? beam.head_centre : 0.0;
-				const double x = h * (aside + 0.5 * sideways[i]) + arm * head_sideways;
-				const double y = h * (up + 0.5 * (upward[i] - weight(i))) + arm * (head_upward - head_weight);
+				const double heavy = h * (below + 0.5 * weight(i)) + arm * head_weight;
+				const double x = h * (aside + 0.5 * sideways[i]) + arm * head_sideways + heavy * sine;
+				const double y = h * (up + 0.5 * upward[i]) + arm * head_upward - heavy * cosine;
 				const double across = std::cos(angles[i]);
 				const double along = std::sin(angles[i]);
-				moment[i] = x * across - y * along - joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
+				moment[i] =
+						x * across - y * along - heavy * sine - joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
 				pivot[i] = x * along + y * across + joint(i);
 				if (i < count - 1) {
 					moment[i] += joint(i + 1) * (angles[i + 1] - angles[i]);
 					pivot[i] += joint(i + 1);
 				}
+				below += weight(i);
 				aside += sideways[i];
-				up += upward[i] - weight(i);
+				up += upward[i];
 			}
 			if (turn(moment, pivot) < 1e-11) {
 				return;
