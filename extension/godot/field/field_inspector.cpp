@@ -10,10 +10,10 @@ using namespace godot;
 namespace undergrowth {
 
 static bool is_of_one_mesh(const String &name) {
-	static const char *const names[] = { "gi_mode", "gi_lightmap_texel_density", "gi_lightmap_texel_scale",
-		"gi_lightmap_scale", "material_overlay", "extra_cull_margin", "custom_aabb", "ignore_occlusion_culling",
-		"visibility_range_begin", "visibility_range_begin_margin", "visibility_range_end_margin",
-		"visibility_range_fade_mode", "sorting_offset", "sorting_use_aabb_center" };
+	static const char *const names[] = { "gi_lightmap_texel_density", "gi_lightmap_texel_scale", "gi_lightmap_scale",
+		"material_overlay", "extra_cull_margin", "custom_aabb", "ignore_occlusion_culling", "visibility_range_begin",
+		"visibility_range_begin_margin", "visibility_range_end_margin", "visibility_range_fade_mode", "sorting_offset",
+		"sorting_use_aabb_center" };
 	return std::any_of(std::begin(names), std::end(names), [&](const char *one) { return name == one; });
 }
 

@@ -25,7 +25,9 @@ PlantField3D::PlantField3D() :
 						[this](const String &advice) { problems.advise(advice); },
 						[this](float ratio) { emit_signal("build_progressed", ratio); },
 						[this] { emit_signal("build_finished"); },
-						[this](Skeleton3D *skeleton, bool is_shown) { report_skeleton(skeleton, is_shown); } }) {}
+						[this](Skeleton3D *skeleton, bool is_shown) { report_skeleton(skeleton, is_shown); } }) {
+	set_gi_mode(GI_MODE_DISABLED); // Voxels of many small plants are dark spots.
+}
 
 PlantField3D::~PlantField3D() {
 	runtime.motion.wait();
@@ -185,7 +187,7 @@ void PlantField3D::process_frame() {
 // Polls what the engine does not report.
 void PlantField3D::poll_dependencies() {
 	runtime.update_render_flags({ uint32_t(get_layer_mask()), get_cast_shadows_setting() != SHADOW_CASTING_SETTING_OFF,
-			get_transparency() });
+			get_transparency(), int(get_gi_mode()) });
 	runtime.follow_materials();
 	const DependencyPoller::Found found = dependencies.poll(this, properties);
 	if (found.range) {

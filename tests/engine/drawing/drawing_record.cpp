@@ -27,6 +27,7 @@ Array DrawingRecord::get_instances() {
 		Dictionary one;
 		one["visible"] = instance.is_visible;
 		one["scenario"] = int64_t(instance.scenario);
+		one["gi_flags"] = int64_t(instance.gi_flags);
 		one["begin"] = instance.begin;
 		one["end"] = instance.end;
 		one["box"] = multimesh.box;

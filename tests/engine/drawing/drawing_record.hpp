@@ -16,7 +16,7 @@ protected:
 
 public:
 	/// All instances of multimeshes that exist: `visible`, `begin`, `end`, `box`, `shown` (-1: all), `buffer`,
-	/// `mesh` (the id of its RID).
+	/// `gi_flags`, `mesh` (the id of its RID).
 	static godot::Array get_instances();
 	/// All textures that exist, by the id of their RID: an Array of the bytes of each layer.
 	static godot::Dictionary get_textures();

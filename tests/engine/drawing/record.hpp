@@ -21,6 +21,7 @@ struct Instance {
 	uint64_t multimesh = 0; ///< A RID, as all keys below.
 	uint64_t scenario = 0; ///< A RID.
 	bool is_visible = true;
+	uint32_t gi_flags = 1; ///< 1: baked light, 2: dynamic; new instances of the engine have the first.
 	double begin = 0.0; ///< m, of the visibility range.
 	double end = 0.0; ///< m; 0: without end.
 };

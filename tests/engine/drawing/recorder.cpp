@@ -104,6 +104,14 @@ void note_range(Arguments arguments, GDExtensionTypePtr) {
 	});
 }
 
+void note_flag(Arguments arguments, GDExtensionTypePtr) {
+	change_instance(arguments, [=](Instance &instance) {
+		const uint32_t bit = 1u << argument<int64_t>(arguments, 1); // Baked light is flag 0, dynamic 1.
+		instance.gi_flags =
+				argument<GDExtensionBool>(arguments, 2) != 0 ? instance.gi_flags | bit : instance.gi_flags & ~bit;
+	});
+}
+
 void note_texture(Arguments arguments, GDExtensionTypePtr result) {
 	const std::lock_guard<std::mutex> lock(record().mutex);
 	record().textures[rid_of(result)] = { bytes_of(image_of(arguments[0])) };
@@ -155,6 +163,7 @@ Recorded all_recorded[] = {
 	{ "instance_set_visible", note_visible },
 	{ "instance_set_scenario", note_scenario },
 	{ "instance_geometry_set_visibility_range", note_range },
+	{ "instance_geometry_set_flag", note_flag },
 	{ "texture_2d_create", note_texture },
 	{ "texture_2d_layered_create", note_layers },
 	{ "texture_2d_update", note_update },

@@ -1,6 +1,11 @@
 #include "field/view/field_render_setup.hpp"
 
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
+
 #include <utility>
+
+using namespace godot;
 
 namespace undergrowth {
 
@@ -29,6 +34,14 @@ FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
 		outline.styles.push_back(std::move(some));
 	}
 	return outline;
+}
+
+void InstanceRenderFlags::set_gi(const RID &instance) const {
+	RenderingServer *server = RenderingServer::get_singleton();
+	server->instance_geometry_set_flag(instance, RenderingServer::INSTANCE_FLAG_USE_BAKED_LIGHT,
+			gi_mode == int(GeometryInstance3D::GI_MODE_STATIC));
+	server->instance_geometry_set_flag(instance, RenderingServer::INSTANCE_FLAG_USE_DYNAMIC_GI,
+			gi_mode == int(GeometryInstance3D::GI_MODE_DYNAMIC));
 }
 
 } // namespace undergrowth

@@ -51,10 +51,14 @@ struct InstanceRenderFlags {
 	uint32_t layers = 1;
 	bool casts_shadows = true;
 	float transparency = 0.0f;
+	int gi_mode = 0; ///< A GeometryInstance3D::GIMode.
 
 	bool operator==(const InstanceRenderFlags &other) const {
-		return layers == other.layers && casts_shadows == other.casts_shadows && transparency == other.transparency;
+		return layers == other.layers && casts_shadows == other.casts_shadows && transparency == other.transparency &&
+				gi_mode == other.gi_mode;
 	}
+	/// Sets the global illumination of an instance. New instances of the engine are static.
+	void set_gi(const godot::RID &instance) const;
 };
 
 } // namespace undergrowth

@@ -80,6 +80,7 @@ void FieldSkeletons::apply_flags(Skeleton3D *skeleton, const InstanceRenderFlags
 	if (drawn) {
 		drawn->set_layer_mask(flags.layers);
 		drawn->set_transparency(flags.transparency);
+		drawn->set_gi_mode(GeometryInstance3D::GIMode(flags.gi_mode));
 		drawn->set_cast_shadows_setting(flags.casts_shadows ? GeometryInstance3D::SHADOW_CASTING_SETTING_ON
 															: GeometryInstance3D::SHADOW_CASTING_SETTING_OFF);
 	}

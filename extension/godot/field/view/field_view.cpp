@@ -60,6 +60,7 @@ void FieldView::apply_flags(const Batch &batch, const FieldLevel &level) const {
 	RenderingServer *server = RenderingServer::get_singleton();
 	server->instance_set_layer_mask(batch.instance, around.flags.layers);
 	server->instance_geometry_set_transparency(batch.instance, around.flags.transparency);
+	around.flags.set_gi(batch.instance);
 	set_caster(batch, level);
 }
 
@@ -98,6 +99,8 @@ FieldView::Batch FieldView::make(const FieldRenderSetup &setup, const BatchPlan 
 	server->instance_geometry_set_material_override(batch.instance, style.override_for(size_t(plan.place.level)));
 	if (!level.casts_shadows || !(around.flags == InstanceRenderFlags())) { // New instances have these defaults.
 		apply_flags(batch, level);
+	} else {
+		around.flags.set_gi(batch.instance);
 	}
 	set_range(batch, level);
 	return batch;

@@ -72,6 +72,7 @@ void PlantList::set_look(const ListSurroundings &around, const RID &material, bo
 						  : RenderingServer::SHADOW_CASTING_SETTING_OFF);
 	server->instance_set_layer_mask(instance, around.flags.layers);
 	server->instance_geometry_set_transparency(instance, around.flags.transparency);
+	around.flags.set_gi(instance);
 	server->instance_set_scenario(instance, around.world);
 	server->instance_set_visible(
 			instance, around.is_visible && plants.size() > 0 && (around.flags.casts_shadows || !casts_shadows));
