@@ -33,6 +33,8 @@ func test_a_field_on_a_ship_leans_as_a_plant_that_is_carried() -> void:
 	followers.prototypes = 4
 	ship.add_child(followers)
 	await frames(2)
+	# The end of a build sets prototypes to rest in the wind, without apparent wind.
+	await until(func() -> bool: return not followers.is_building(), "it is built")
 	var id := field.add_plants([Transform3D.IDENTITY], _species())[0]
 	var other := followers.add_plants([Transform3D.IDENTITY], _species())[0]
 	var plant := _add_plant(Vector3.ZERO, ship)

@@ -168,7 +168,7 @@ MotionSpecies Plant3D::kind_of_motion() const {
 	// The radius has an effect on tips with contact only. Without contact, plants of species with different radii share
 	// a page.
 	const ForceSettings forces = force_settings();
-	kind.trampling = forces.has_bodies() ? species->make_trampling() : Trampling();
+	kind.trampling = species->make_trampling();
 	kind.collision_radius = forces.has_bodies() || forces.has_contact ? float(species->get_collision_radius()) : 0.0f;
 	return kind;
 }
