@@ -16,6 +16,15 @@ func test_plants_follow_a_collider_that_was_moved() -> void:
 	await _check_height(1.0, "after redo")
 
 
+func test_plants_fall_to_the_ground_below_what_was_moved_away() -> void:
+	await _ground_of_a_field()
+	var far := _field().get_parent().get_node("Far") as Node3D
+	await _move_to(far, Vector3(0, 1.0, 0))
+	await _check_height(1.0, "on what came")
+	await _move_to(far, Vector3(50, 1.0, 0))
+	await _check_height(0.0, "on what is left")
+
+
 func test_plants_follow_a_shape_that_was_changed() -> void:
 	var ground := await _ground_of_a_field()
 	var shape := (ground.get_child(0) as CollisionShape3D).shape as BoxShape3D

@@ -129,6 +129,27 @@ func test_a_mirrored_node_keeps_its_outsides_outside() -> void:
 	)
 
 
+func test_coarse_levels_of_a_mirrored_node_have_their_outsides_outside() -> void:
+	var place := Transform3D(Basis.from_scale(Vector3(-1, 1, 1)))
+	var species := MeshPlantFunction.of(Maker.scene_of(SphereMesh.new(), place))
+	check(species.find_model(0).triangles.size() > 1, "it has levels")
+	for segments: int in [12, 8, 3]:
+		check(_outward(species.generate_mesh(0.0, segments)) > 0.0, "%d segments" % segments)
+
+
+func test_leaves_of_a_stretched_plant_swing_about_their_stretched_base() -> void:
+	var species := MeshPlantFunction.of(Files.tree(30).mesh())
+	var height: float = species.find_model(0).height
+	var own := species.generate_mesh(height, 12).surface_get_arrays(1)
+	var tall := species.generate_mesh(2.0 * height, 12).surface_get_arrays(1)
+	var pivots: PackedFloat32Array = own[Mesh.ARRAY_CUSTOM1]
+	var stretched: PackedFloat32Array = tall[Mesh.ARRAY_CUSTOM1]
+	check(pivots[1] > 0.0, "a leaf above the ground")
+	for i in range(0, pivots.size(), 4):
+		check_near(stretched[i], pivots[i], 1e-6, "x of the pivot")
+		check_near(stretched[i + 1], 2.0 * pivots[i + 1], 1e-5, "height of the pivot")
+
+
 func test_the_height_and_the_axis_can_be_set() -> void:
 	var species := MeshPlantFunction.of(Files.flower(null).mesh())
 	species.height = 1.5
