@@ -190,9 +190,13 @@ func test_wind_is_saved() -> void:
 	var saved := load(WIND_FILE) as PlantWind
 	check(saved != null, "the file is there")
 	for property in saved.get_property_list():
-		var is_own: bool = property["usage"] & PROPERTY_USAGE_STORAGE and property["type"] == TYPE_FLOAT
+		var is_own: bool = (
+			property["usage"] & PROPERTY_USAGE_STORAGE and property["type"] == TYPE_FLOAT
+		)
 		if is_own and property["name"] != "time":
-			check_equal(saved.get(property["name"]), _wind().get(property["name"]), property["name"])
+			check_equal(
+				saved.get(property["name"]), _wind().get(property["name"]), property["name"]
+			)
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(WIND_FILE))
 	EditorInterface.get_resource_filesystem().scan()
 

@@ -16,8 +16,9 @@ func after_each() -> void:
 	stage.free()
 
 
-func test_plants_near_a_moving_camera_are_all_drawn() -> void:
+func test_plants_of_a_turned_field_near_a_moving_camera_are_all_drawn() -> void:
 	_sow()
+	_field.rotation.y = 2.0
 	var by_error := await _walk()
 	_field.levels = [PlantFieldLevel.of(24)]
 	var whole := await _walk()

@@ -63,6 +63,22 @@ func test_a_single_plant_in_a_field_leans_as_its_neighbours() -> void:
 	field.free()
 
 
+func test_a_scaled_plant_is_sheltered_by_its_height_in_the_world() -> void:
+	var wheat := _field([load(WHEAT)], 90.0)
+	await _settled(wheat)
+	var species: PlantFunction = load(GRASS)
+	var deflections: Array[float] = []
+	for place: Vector3 in [Vector3.ZERO, Vector3(500, 0, 0)]:
+		var single := _single(species, 0.6, 0, place)
+		single.scale = Vector3.ONE * 0.25
+		await frames(400)
+		deflections.append(single.get_deflection())
+		single.free()
+	check(deflections[1] > 0.01, "in the open it bends by %f" % deflections[1])
+	check(deflections[0] < 0.1 * deflections[1], "in wheat by %f" % deflections[0])
+	wheat.free()
+
+
 func test_taller_plants_that_come_shelter_a_single_plant() -> void:
 	var clover: PlantFunction = load(CLOVER)
 	var field := _field([clover, load(WHEAT)], 40.0)
