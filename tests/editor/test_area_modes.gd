@@ -60,6 +60,8 @@ func test_a_change_of_mode_keeps_the_others() -> void:
 	for i in 2:
 		await undo()
 	check(field.map == null and field.outline.is_empty(), "two steps back")
+	await _press_mode(PAINTED)
+	check(field.map and field.map.data == map.data, "the map is back after undo")
 
 
 func test_a_painted_area_begins_as_the_rectangle() -> void:

@@ -82,6 +82,20 @@ func test_a_first_stroke_makes_a_map_in_one_step() -> void:
 	check(field.get_plant_count() < count, "plants after redo")
 
 
+func test_a_stroke_on_a_scaled_field_has_the_radius_of_the_brush() -> void:
+	var field := await _edited_field()
+	field.scale = Vector3.ONE * 0.5
+	_sharpen(0.4)
+	await _choose_tool("Erase")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	await _rested(field)
+	var densities: Array[float] = []
+	for z: float in [0.3, 1.2]:
+		densities.append(field.map.get_density(Vector3(0, 0, z), GRASS) if field.map else 1.0)
+	check_equal(densities, [0.0, 1.0] as Array[float], "densities within the radius and beyond it")
+	field.scale = Vector3.ONE
+
+
 func test_strokes_are_seen_while_they_are_drawn() -> void:
 	var field := await _edited_field()
 	field.map = PlantMap.new()

@@ -16,6 +16,31 @@ func test_plants_follow_a_collider_that_was_moved() -> void:
 	await _check_height(1.0, "after redo")
 
 
+func test_plants_fall_to_the_ground_below_what_was_moved_away() -> void:
+	await _ground_of_a_field()
+	var far := _field().get_parent().get_node("Far") as Node3D
+	await _move_to(far, Vector3(0, 1.0, 0))
+	await _check_height(1.0, "on what came")
+	await _move_to(far, Vector3(50, 1.0, 0))
+	await _check_height(0.0, "on what is left")
+
+
+func test_painted_plants_follow_ground_anywhere_below_them() -> void:
+	await _ground_of_a_field()
+	var field := _field()
+	field.size = Vector2(0.2, 0.2)
+	field.map = PlantMap.new()
+	field.map.paint(Vector3(5, 0, 5), 2.0, field.species[0].get_layer_name(), 1.0)
+	await _rested(field)
+	var far := field.get_parent().get_node("Far") as Node3D
+	await _move_to(far, Vector3(15, 1.0, 15))
+	var is_up := func(id: int) -> bool:
+		return absf(field.get_plant_transform(id).origin.y - 1.0) < 0.01
+	var is_any_up := func() -> bool:
+		return not field.is_building() and Array(field.get_plant_ids()).any(is_up)
+	check(await until(is_any_up), "plants are on what came")
+
+
 func test_plants_follow_a_shape_that_was_changed() -> void:
 	var ground := await _ground_of_a_field()
 	var shape := (ground.get_child(0) as CollisionShape3D).shape as BoxShape3D

@@ -93,6 +93,8 @@ func test_a_drag_changes_the_order_and_the_carrier() -> void:
 	var fern := await _open_fern()
 	await _drag_row("Dead fronds", "Fronds", 0.05)
 	check_equal(_titles(fern), ["Dead fronds", "Fronds", "Fiddleheads"], "order after a drag")
+	await _drag_row("Fronds", "Dead fronds", 0.95)
+	check_equal(_titles(fern), ["Dead fronds", "Fronds", "Fiddleheads"], "dropped at its place")
 	await _drag_row("Scales", "Dead fronds", 0.5)
 	check_equal(fern.arrangements[0].carries.size(), 1, "arrangements on a dead frond")
 	await _drag_row("Fronds", "Leaflets", 0.5)

@@ -174,6 +174,8 @@ func _find_in_inspector(name: String) -> Control:
 
 func test_wind_is_saved() -> void:
 	await _open_scene()
+	for property: StringName in [&"wetness", &"snow", &"rain"]:
+		_wind().set(property, 0.5)
 	await _press_button("Save")
 	var dialog: EditorFileDialog
 	for child in wind_part("WindActions").get_children():
@@ -187,7 +189,14 @@ func test_wind_is_saved() -> void:
 	await frames(3)
 	var saved := load(WIND_FILE) as PlantWind
 	check(saved != null, "the file is there")
-	check(is_equal_approx(saved.direction, _wind().direction), "its direction")
+	for property in saved.get_property_list():
+		var is_own: bool = (
+			property["usage"] & PROPERTY_USAGE_STORAGE and property["type"] == TYPE_FLOAT
+		)
+		if is_own and property["name"] != "time":
+			check_equal(
+				saved.get(property["name"]), _wind().get(property["name"]), property["name"]
+			)
 	DirAccess.remove_absolute(ProjectSettings.globalize_path(WIND_FILE))
 	EditorInterface.get_resource_filesystem().scan()
 

@@ -99,6 +99,32 @@ func test_a_fields_plants_shelter_each_other() -> void:
 	check_near(tip.z / tip.y, force / stiff, 4.0 * BEND_TOLERANCE, "bend in a canopy")
 
 
+func test_a_field_away_from_the_origin_has_the_gusts_of_its_place() -> void:
+	var at := Vector3(40, 0, 70)
+	var field := PlantField3D.new()
+	field.density = 0.0
+	field.wind = _wind
+	field.transform = Transform3D(Basis(Vector3.UP, 0.7), at)
+	_add(field)
+	await frames(2)
+	var species := _species()
+	var id := field.add_plants([Transform3D.IDENTITY], species)[0]
+	var plant := Plant3D.new()
+	plant.species = species
+	plant.height = field.get_plant_height(id)
+	plant.wind = _wind
+	plant.position = at
+	_add(plant)
+	await frames(400)
+	var strongest := 0.0
+	for i in 100:
+		await frames(1)
+		var tip := field.to_global(field.get_tip_position(id)) - at
+		check_near(tip, plant.get_tip_position(), 0.02 * plant.height, "tip in frame %d" % i)
+		strongest = maxf(strongest, Vector2(tip.x, tip.z).length())
+	check(strongest > 0.05 * plant.height, "it bends by %f m" % strongest)
+
+
 func test_fields_and_plants_rest_in_still_air() -> void:
 	_wind.speed = 0.0
 	check_equal(_wind.sample_velocity(7.0, Vector3(1, 2, 3)), Vector3.ZERO, "still")

@@ -106,13 +106,13 @@ func test_a_body_draws_a_wake_along() -> void:
 	check(maximum > 0.01, "the plant leans after it: %f m" % maximum)
 
 
-func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned() -> void:
+func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned_or_scaled() -> void:
 	var ids: PackedInt64Array = []
 	var fields: Array[PlantField3D] = []
-	for turn: float in [0.0, 1.2]:
+	for axes: Vector2 in [Vector2(0.0, 1.0), Vector2(1.2, 1.0), Vector2(0.0, 4.0)]:
 		var field := PlantField3D.new()
 		field.density = 0.0
-		field.rotation.y = turn
+		field.transform = Transform3D(Basis(Vector3.UP, axes.x).scaled(Vector3.ONE * axes.y))
 		_add(field)
 		await frames(2)
 		var at := field.transform.affine_inverse() * Vector3(1.5, 0, 0)
@@ -124,12 +124,14 @@ func test_a_wake_goes_the_way_of_its_body_in_a_field_that_is_turned() -> void:
 	for i in 120:
 		body.position.z += 0.2
 		await frames(1)
-		var tips: Array[Vector3] = []
-		for k in 2:
-			tips.append(fields[k].to_global(fields[k].get_tip_position(ids[k])))
-		maximum = maxf(maximum, tips[0].z)
-		check_near(tips[1], tips[0], 1e-3, "tip in frame %d" % i)
-	check(maximum > 0.01, "it leans after the body: %f m" % maximum)
+		var leans: Array[Vector3] = []
+		for k in 3:
+			var tip := fields[k].to_global(fields[k].get_tip_position(ids[k]))
+			leans.append((tip - Vector3(1.5, 0, 0)).normalized())
+		maximum = maxf(maximum, leans[0].z)
+		check_near(leans[1], leans[0], 1e-3, "lean in the turned field in frame %d" % i)
+		check_near(leans[2], leans[0], 1e-3, "lean in the scaled field in frame %d" % i)
+	check(maximum > 0.01, "it leans after the body: %f" % maximum)
 
 
 func test_forces_continue_where_a_source_reaches() -> void:

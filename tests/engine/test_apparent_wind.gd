@@ -83,6 +83,23 @@ func test_what_is_set_down_elsewhere_feels_no_wind() -> void:
 		check_equal(plant.get_deflection(), 0.0, "bend")
 
 
+func test_a_plant_that_leaves_a_ship_moves_no_other() -> void:
+	var ship := Node3D.new()
+	_add(ship)
+	var plants: Array[Plant3D] = []
+	for x in 4:
+		plants.append(_add_plant(Vector3(x, 0, 0), ship))
+		plants[x].species = plants[0].species
+	await _carry(ship, SETTLING)
+	var before := plants[1].get_tip_position()
+	check(before.x < -0.05, "it leans back: %s" % before)
+	plants[0].free()
+	for i in 6:
+		await _carry(ship, 1)
+		for plant: Plant3D in plants.slice(1):
+			check_near(plant.get_tip_position(), before, 0.005, "tip in frame %d" % i)
+
+
 func test_a_bad_share_gives_one_error() -> void:
 	var plant := _add_plant(Vector3.ZERO)
 	var field := PlantField3D.new()

@@ -319,6 +319,8 @@ func test_a_moving_field_is_not_pushed_by_a_body_at_rest() -> void:
 	check_near(await _max_lean_of(0.02, 0.0), still, 0.005, "lean where the field moves")
 	check_near(await _max_lean_of(-0.02, -0.02), still, 0.005, "lean where both move")
 	check(await _max_lean_of(0.0, -0.02) > still + 0.02, "a ball that comes shoves")
+	var slower := await _max_lean_of(0.02, -0.02)
+	check_near(await _max_lean_of(0.02, -0.02, 2.0), slower, 0.005, "lean in a turned field")
 
 
 func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -> void:
@@ -331,8 +333,9 @@ func test_plants_of_a_turned_and_scaled_field_are_pushed_as_those_of_another() -
 
 ## Returns the maximum lean of a plant beside a ball while its field and the ball move by metres in
 ## each frame. At the end both have the positions of a run without movement.
-func _max_lean_of(field_way: float, ball_way: float) -> float:
+func _max_lean_of(field_way: float, ball_way: float, turn := 0.0) -> float:
 	var own := _single_plant_field()
+	own.rotation.y = turn
 	root.add_child(own)
 	await filled(own)
 	var id := own.add_plants([Transform3D()], TulipFunction.new())[0]

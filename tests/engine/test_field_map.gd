@@ -105,6 +105,16 @@ func test_plants_follow_the_data_of_another_map() -> void:
 	check(field.find_plants_in_sphere(Vector3(6, 0, 0), 4.0).size() > 50, "plants now")
 
 
+func test_plants_of_a_species_that_leaves_the_map_are_gone() -> void:
+	map.fill_polygon(field.get_outline_points(), TULIP)
+	field.map = map
+	await start()
+	check(field.get_plant_count() > 0, "plants")
+	map.remove_species(TULIP)
+	await rested()
+	check_equal(field.get_plant_count(), 0, "plants without a layer")
+
+
 func test_exclusions_count_on_a_map() -> void:
 	var square: Array[Vector3] = [
 		Vector3(-3, 0, -3), Vector3(3, 0, -3), Vector3(3, 0, 3), Vector3(-3, 0, 3)

@@ -16,8 +16,9 @@ func after_each() -> void:
 	stage.free()
 
 
-func test_plants_near_a_moving_camera_are_all_drawn() -> void:
+func test_plants_of_a_turned_field_near_a_moving_camera_are_all_drawn() -> void:
 	_sow()
+	_field.rotation.y = 2.0
 	var by_error := await _walk()
 	_field.levels = [PlantFieldLevel.of(24)]
 	var whole := await _walk()
@@ -39,6 +40,19 @@ func test_a_camera_that_turns_sees_plants_in_the_same_frame() -> void:
 	var later := await picture()
 	check(_count_green(later) > 10 * MIN_PLANT, "plants are drawn")
 	check(count_different(at_once, later) <= MAX_DIFFERENT, "the first frame is complete")
+
+
+func test_plants_are_drawn_again_when_a_camera_turns_back() -> void:
+	_sow()
+	await settled(_field)
+	var camera := stage.get_camera_3d()
+	var place := Vector3(0, 0.6, 0)
+	var pictures: Array[Image] = []
+	for ahead: float in [-1.0, 1.0, -1.0]:
+		camera.look_at_from_position(place, place + Vector3(0, -0.4, ahead))
+		pictures.append(await picture())
+	check(_count_green(pictures[0]) > 10 * MIN_PLANT, "plants are drawn")
+	check(count_different(pictures[0], pictures[2]) <= MAX_DIFFERENT, "the same as before")
 
 
 func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:

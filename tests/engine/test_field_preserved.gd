@@ -84,6 +84,18 @@ func test_mown_plants_are_shortened_and_grow_back() -> void:
 	)
 
 
+func test_plants_that_are_mown_again_grow_from_their_last_height() -> void:
+	await start()
+	field.regrowth_rate = 0.05
+	field.set_height_in_sphere(field.global_position, 1.0, 0.2)
+	await step(3)
+	field.set_height_in_sphere(field.global_position, 1.0, 0.1)
+	var id := field.find_nearest_plant(field.global_position, 1.0)
+	for i in 8:
+		await frames(1)
+		check_near(relative_tip(id).length(), 0.1, 0.02, "from root to tip in frame %d" % i)
+
+
 func test_a_height_above_their_own_makes_plants_whole_again() -> void:
 	await start()
 	var id := field.find_nearest_plant(field.global_position, 2.0)

@@ -63,6 +63,41 @@ func test_a_single_plant_in_a_field_leans_as_its_neighbours() -> void:
 	field.free()
 
 
+func test_a_scaled_plant_is_sheltered_by_its_height_in_the_world() -> void:
+	var wheat := _field([load(WHEAT)], 90.0)
+	await _settled(wheat)
+	var species: PlantFunction = load(GRASS)
+	var deflections: Array[float] = []
+	for place: Vector3 in [Vector3.ZERO, Vector3(500, 0, 0)]:
+		var single := _single(species, 0.6, 0, place)
+		single.scale = Vector3.ONE * 0.25
+		await frames(400)
+		deflections.append(single.get_deflection())
+		single.free()
+	check(deflections[1] > 0.01, "in the open it bends by %f" % deflections[1])
+	check(deflections[0] < 0.1 * deflections[1], "in wheat by %f" % deflections[0])
+	wheat.free()
+
+
+func test_taller_plants_that_come_shelter_a_single_plant() -> void:
+	var clover: PlantFunction = load(CLOVER)
+	var field := _field([clover, load(WHEAT)], 40.0)
+	field.species[1].weight = 0.0
+	await _settled(field)
+	var single := _single(clover, 0.2, 0, Vector3.ZERO)
+	await frames(400)
+	var open := single.get_deflection()
+	check(open > 0.01, "among clover it bends by %f" % open)
+	field.species[1].weight = 4.0
+	field.density = 120.0
+	await frames(2)
+	await _settled(field)
+	await frames(400)
+	check(single.get_deflection() < 0.5 * open, "among wheat by %f" % single.get_deflection())
+	single.free()
+	field.free()
+
+
 func test_the_air_in_a_field_is_what_plants_feel() -> void:
 	var wheat := _field([load(WHEAT)], 90.0)
 	wheat.rotation.y = 1.0

@@ -129,6 +129,61 @@ func test_a_mirrored_node_keeps_its_outsides_outside() -> void:
 	)
 
 
+func test_coarse_levels_of_a_mirrored_node_have_their_outsides_outside() -> void:
+	var place := Transform3D(Basis.from_scale(Vector3(-1, 1, 1)))
+	var species := MeshPlantFunction.of(Maker.scene_of(SphereMesh.new(), place))
+	check(species.find_model(0).triangles.size() > 1, "it has levels")
+	for segments: int in [12, 8, 3]:
+		check(_outward(species.generate_mesh(0.0, segments)) > 0.0, "%d segments" % segments)
+
+
+func test_normals_follow_a_node_with_an_uneven_scale() -> void:
+	var place := Transform3D(Basis.from_scale(Vector3(1, 3, 1)))
+	var species := MeshPlantFunction.of(Maker.scene_of(SphereMesh.new(), place))
+	var arrays := species.generate_mesh(0.0, 12).surface_get_arrays(0)
+	var vertices: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var normals: PackedVector3Array = arrays[Mesh.ARRAY_NORMAL]
+	var middle := 0.5 * species.find_model(0).height as float
+	for i in vertices.size():
+		var way := vertices[i] - Vector3(0, middle, 0)
+		var expected := Vector3(way.x, way.y / 9.0, way.z).normalized()
+		check(normals[i].dot(expected) > 0.99, "normal %s at %s" % [normals[i], way])
+
+
+func test_leaves_that_stand_for_others_widen_about_their_midrib() -> void:
+	var species := MeshPlantFunction.of(Files.tree(200).mesh())
+	var fine := _midribs(species.generate_mesh(0.0, 12))
+	var coarse := _midribs(species.generate_mesh(0.0, 8))
+	check(coarse.size() < fine.size(), "%d of %d places" % [coarse.size(), fine.size()])
+	for place: Vector3 in coarse:
+		check(fine.has(place), "a leaf at %s" % place)
+
+
+func test_a_material_override_of_a_node_is_that_of_its_plants() -> void:
+	var red := Maker.plain(Color.RED)
+	var node := MeshInstance3D.new()
+	node.mesh = Files.flower(null).mesh()
+	node.material_override = red
+	var scene := PackedScene.new()
+	scene.pack(node)
+	node.free()
+	var mesh := MeshPlantFunction.of(scene).generate_mesh(0.0, 12)
+	check_equal(mesh.surface_get_material(0), red, "material")
+
+
+func test_leaves_of_a_stretched_plant_swing_about_their_stretched_base() -> void:
+	var species := MeshPlantFunction.of(Files.tree(30).mesh())
+	var height: float = species.find_model(0).height
+	var own := species.generate_mesh(height, 12).surface_get_arrays(1)
+	var tall := species.generate_mesh(2.0 * height, 12).surface_get_arrays(1)
+	var pivots: PackedFloat32Array = own[Mesh.ARRAY_CUSTOM1]
+	var stretched: PackedFloat32Array = tall[Mesh.ARRAY_CUSTOM1]
+	check(pivots[1] > 0.0, "a leaf above the ground")
+	for i in range(0, pivots.size(), 4):
+		check_near(stretched[i], pivots[i], 1e-6, "x of the pivot")
+		check_near(stretched[i + 1], 2.0 * pivots[i + 1], 1e-5, "height of the pivot")
+
+
 func test_the_height_and_the_axis_can_be_set() -> void:
 	var species := MeshPlantFunction.of(Files.flower(null).mesh())
 	species.height = 1.5
@@ -315,6 +370,18 @@ func _outward(mesh: ArrayMesh) -> float:
 		var front := (vertices[indices[i + 2]] - a).cross(vertices[indices[i + 1]] - a).normalized()
 		sum += front.dot(normals[indices[i]])
 	return sum
+
+
+# Places on midribs of the vertices of leaves, in millimetres.
+func _midribs(mesh: ArrayMesh) -> Dictionary:
+	var arrays := mesh.surface_get_arrays(1)
+	var vertices: PackedVector3Array = arrays[Mesh.ARRAY_VERTEX]
+	var asides: PackedFloat32Array = arrays[Mesh.ARRAY_CUSTOM2]
+	var places := {}
+	for i in vertices.size():
+		var aside := Vector3(asides[4 * i], asides[4 * i + 1], asides[4 * i + 2])
+		places[(1000.0 * (vertices[i] - aside)).round()] = true
+	return places
 
 
 # Of the positions on the stem that move vertices.

@@ -168,6 +168,7 @@ TEST_CASE("low plants feel more wind when the taller ones are removed or mown") 
 		field.set_wind(steady_air());
 		field.step();
 		CHECK(field.page(page).taller_plants().cover == 1.0f);
+		CHECK(field.air_speed(low) < 0.5f * field.air_speed(tall));
 		for (int i = 0; i < static_cast<int>(many.size()); i++) {
 			if (is_mown) {
 				many[static_cast<std::size_t>(i)].length = 0.05f;

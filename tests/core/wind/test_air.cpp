@@ -242,6 +242,8 @@ TEST_CASE("waves over a canopy do not repeat within a kilometre") {
 TEST_CASE("patterns at the origin continue through any change of the air") {
 	FieldWind wind = breeze();
 	const std::vector<float> before = deviates(wind.air, 77.0, { 0.0, 0.0 });
+	const AirMap waves = wind_at_time(wind, 77.0).air.waves;
+	REQUIRE(waves.cells != nullptr);
 	Air wanted = wind.air;
 	for (int change = 0; change < 5; change++) {
 		wanted.speed = change == 0 ? 3.0f : wanted.speed;
@@ -257,6 +259,9 @@ TEST_CASE("patterns at the origin continue through any change of the air") {
 		if (change < 2) { // Eddies displace waves by other parts of their length over another canopy.
 			REQUIRE(now[8] == before[8]);
 		}
+		const AirMap same_waves = wind_at_time(wind, 77.0).air.waves;
+		CHECK(same_waves.s == doctest::Approx(waves.s));
+		CHECK(same_waves.n == doctest::Approx(waves.n));
 		CHECK(wind.air.speed == wanted.speed);
 	}
 }

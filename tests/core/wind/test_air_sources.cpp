@@ -138,6 +138,19 @@ TEST_CASE("a source acts on a plant at its own height, and on its nearer end abo
 	CHECK(z == velocity_at(source, root, height).z);
 }
 
+TEST_CASE("velocities of sources turn with the axes of plants") {
+	const AirSource source = source_of(AirSource::Kind::wake);
+	const glm::vec3 root = source.place + glm::vec3(1.5f, 0.0f, 2.0f);
+	const glm::vec3 in_world = velocity_at(source, root);
+	REQUIRE(std::min(std::fabs(in_world.x), std::fabs(in_world.z)) > 0.1f);
+	const float c = std::cos(0.6f), s = std::sin(0.6f), height = 0.0f;
+	float x = 1.0f, z = 2.0f;
+	const AirSources turned = { &source, 1, c, s, -s, c };
+	add_sources(turned, root, root, &root.x, &root.y, &root.z, &height, 1, &x, &z);
+	CHECK(x == doctest::Approx(1.0f + c * in_world.x - s * in_world.z));
+	CHECK(z == doctest::Approx(2.0f + s * in_world.x + c * in_world.z));
+}
+
 TEST_CASE("a body pushes air aside and ahead, and draws a wake along") {
 	const AirSource source = source_of(AirSource::Kind::wake);
 	const glm::vec3 ahead = velocity_at(source, source.place + glm::vec3(0.0f, 0.0f, 4.0f));

@@ -19,6 +19,19 @@ func test_each_plant_that_is_pushed_has_a_place_of_its_own() -> void:
 		check(place.x >= 1 and place.x <= SIDE, "column %d, counted from 1" % place.x)
 
 
+func test_plants_that_were_removed_stay_hidden_when_others_are_pushed() -> void:
+	await start()
+	var removed := field.remove_in_sphere(Vector3.ZERO, 2.0)
+	check(removed > 10, "%d plants are removed" % removed)
+	await step(3)
+	field.apply_impulse_in_sphere(Vector3.ZERO, 6.0, Vector3(0.5, 0, 0))
+	await step(3)
+	var layers := poses()
+	for plant: DrawnPlant in drawn_plants().values():
+		var is_gone := plant.root.length() < 1.9
+		check(not is_gone or is_hidden(layers, plant), "hidden at %s" % plant.root)
+
+
 ## Column, counted from 1, and row of all simulated plants. Each may occur once.
 func _places() -> Dictionary[Vector2i, bool]:
 	var layers := poses()

@@ -90,10 +90,6 @@ func _is_under(shape: GroundShapes.Shape, field: PlantField3D) -> bool:
 	var area := AABB()
 	for point in field.get_outline_points():
 		area = area.expand(point) if area else AABB(point, Vector3.ZERO)
-	if field.map:
-		var painted := field.map.get_painted_rect()
-		area = area.expand(Vector3(painted.position.x, 0.0, painted.position.y))
-		area = area.expand(Vector3(painted.end.x, 0.0, painted.end.y))
 	return _flat(area).intersects(_flat(box), true)
 
 

@@ -96,13 +96,15 @@ func remove(carrier: Resource, arrangement: PlantArrangement) -> void:
 
 
 ## Moves [param arrangement] from the carrier [param from] to [param index] on [param to]. The index
-## counts its present place too.
+## counts its present place too. A move to the same place is no step.
 func move(arrangement: PlantArrangement, from: Resource, to: Resource, index: int) -> void:
 	var before := children_of(from)
 	var place := before.find(arrangement)
 	before.erase(arrangement)
 	var after := before if to == from else children_of(to)
 	after.insert(index - 1 if to == from and place < index else index, arrangement)
+	if to == from and after == children_of(from):
+		return
 	_begin(Translations.text("Move Part"))
 	if to != from:
 		_change_children(from, before)

@@ -19,6 +19,9 @@ const PROPERTIES: Array[StringName] = [
 	&"roughness",
 	&"canopy_height",
 	&"canopy_wave_amount",
+	&"wetness",
+	&"snow",
+	&"rain",
 ]
 const SHIPPED := "res://addons/undergrowth/"
 const WARNING := EditorState.Severity.WARNING
