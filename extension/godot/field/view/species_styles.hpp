@@ -55,6 +55,7 @@ struct SpeciesStyle {
 	godot::Ref<godot::Material> sampled_material; ///< The material for which it was sampled.
 	std::vector<bool> are_carded; ///< By level: drawn with cards. Empty: none.
 	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
+	std::vector<float> triangles; ///< By level, of a mesh; empty as `errors`, and for models.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
 	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
@@ -150,7 +151,7 @@ struct SpeciesStyle {
 	/// Sets the materials of a model's surfaces.
 	void set_surface_materials() const;
 	/// Triangles of a plant at a level.
-	float triangles_at(const FieldLevel &level) const;
+	float triangles_at(size_t level) const;
 	/// Heights of its variants (m).
 	std::vector<float> variant_heights() const;
 	/// Mean of its variants (m).
