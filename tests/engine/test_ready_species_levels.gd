@@ -12,14 +12,15 @@ const NEAREST := 0.5  # m: levels that end nearer are not used.
 const MAX_DENSE_ERROR := 5.0  # Pixels, at the density of Add as Field.
 ## The same of species whose coarse forms are the least exact.
 const MAX_DENSE_ERRORS: Dictionary[String, float] = {
+	"barley": 7.1,
 	"field_horsetail": 7.1,
 	"lavender": 10.4,
 	"lawn_grass": 5.9,
 	"moss_cushion": 12.5,
 	"plantain": 6.5,
-	"red_clover": 6.5,
+	"red_clover": 12.5,
 	"seedlings": 10.4,
-	"white_clover": 7.1,
+	"white_clover": 8.6,
 	"wild_strawberry": 6.5,
 }
 

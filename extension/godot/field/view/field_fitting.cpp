@@ -28,6 +28,8 @@ static constexpr float MAX_SHARE_OF_NEXT = 0.7f; // Largest begin of a level, as
 // The same for solid levels after one with cards that begin nearer than SOLID_SEEN_END (m). Their forms visibly differ.
 static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.5f;
 static constexpr float SOLID_SEEN_END = 5.0f;
+static constexpr float BODIES_SEEN_END = 12.0f; // m.
+static constexpr int MIN_SEGMENTS_OF_BODIES = 5; // Finer ones have many bodies.
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
 // m: a level that begins nearer, and is drawn plant by plant, has this many variants. A plant must not become another
 // one where its stems can be counted.
@@ -67,6 +69,12 @@ void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	}
 }
 
+// Ears and panicles on cards do not become a few bodies where those are seen, even if their outline is better.
+static bool shows_bodies_late(const FieldRenderSetup &setup, const SpeciesStyle &style, size_t level) {
+	return level + 1 < setup.levels.size() && style.has_cards_before(level) && style.have_bodies[level] &&
+			setup.levels[level].lod < MIN_SEGMENTS_OF_BODIES;
+}
+
 // Begins of all levels (m), ascending. From COARSENED_FROM on the error may be `coarser` times as large: equal errors
 // at all distances are the smallest ones for a number of triangles. Nearer plants are few, and keep more of their
 // forms.
@@ -79,7 +87,8 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
 				: lathe_begin(setup.levels[i].lod);
 		const float factor = 1.0f + (coarser - 1.0f) * std::min(own / COARSENED_FROM, 1.0f);
-		begins.push_back(i == 0 ? 0.0f : own / factor * rule.lod_bias);
+		const float least = shows_bodies_late(setup, style, i) ? BODIES_SEEN_END : 0.0f;
+		begins.push_back(i == 0 ? 0.0f : std::max(own / factor, least) * rule.lod_bias);
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);
@@ -95,9 +104,8 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 
 // A level that begins later than at this share of its end is not used.
 static float max_share_of_next(const LevelRule &rule, const SpeciesStyle &style, size_t level, float begin) {
-	const std::vector<bool> &carded = style.are_carded;
-	const bool is_after_cards = level > 0 && level < carded.size() && carded[level - 1] && !carded[level];
-	return is_after_cards && begin < SOLID_SEEN_END * rule.lod_bias ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
+	const bool is_after_cards = style.has_cards_before(level) && begin < SOLID_SEEN_END * rule.lod_bias;
+	return is_after_cards ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
 }
 
 // Marks the levels that a species uses, and sets their distances.

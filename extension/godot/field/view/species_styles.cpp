@@ -177,6 +177,7 @@ void SpeciesStyle::measure() {
 		const LevelLooks solid = measure_level(level, false, outlines);
 		errors.push_back(solid.error);
 		triangles.push_back(float(solid.triangles));
+		have_bodies.push_back(solid.has_bodies);
 		if (has_cards) {
 			measure_cards(level, outlines, solid.has_bodies);
 		}
@@ -190,6 +191,7 @@ void SpeciesStyle::measure() {
 
 void SpeciesStyle::measure_models() {
 	are_carded.assign(samples.size(), false);
+	have_bodies.assign(samples.size(), false);
 	for (const FieldLevel &level : levels) {
 		float worst = 0.0f;
 		for (const SampledPlant &sampled : samples[0]) {
@@ -213,6 +215,11 @@ const PlantModel *SpeciesStyle::model() const {
 bool SpeciesStyle::has_one_model() const {
 	const std::vector<SampledPlant> &all = samples.empty() || samples[0].empty() ? nearest : samples[0];
 	return std::all_of(all.begin(), all.end(), [&](const SampledPlant &one) { return one.model == all.front().model; });
+}
+
+bool SpeciesStyle::has_cards_before(size_t level) const {
+	return level < are_carded.size() && !are_carded[level] &&
+			std::count(are_carded.begin(), are_carded.begin() + std::ptrdiff_t(level), true) > 0;
 }
 
 float SpeciesStyle::triangles_at(size_t level) const {
