@@ -75,6 +75,25 @@ func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:
 	check(count_different(shaded, bright) > MIN_PLANT, "near plants cast shadows")
 
 
+func test_shade_near_the_camera_is_as_dark_as_that_of_whole_plants() -> void:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	(ground.mesh as PlaneMesh).size = Vector2(40, 40)
+	stage.add_child(ground)
+	for light in stage.find_children("*", "DirectionalLight3D", true, false):
+		(light as DirectionalLight3D).shadow_enabled = true
+		(light as DirectionalLight3D).rotation = Vector3(-0.5, 0.6, 0)
+	_sow()
+	_field.size = Vector2(14, 14)
+	stage.get_camera_3d().look_at_from_position(Vector3(0, 0.8, 2), Vector3(0, 0, 0.5))
+	await settled(_field)
+	var by_error := _mean_light(await picture())
+	_field.levels = [PlantFieldLevel.of(16)]
+	await settled(_field)
+	var whole := _mean_light(await picture())
+	check_near(by_error, whole, 0.12 * whole, "mean light")
+
+
 func test_fields_with_default_settings_cost_little() -> void:
 	stage.size = Vector2i(320, 180)
 	for light in stage.find_children("*", "DirectionalLight3D", true, false):
@@ -127,6 +146,14 @@ func _sow() -> void:
 	_field.size = Vector2(5, 5)
 	_field.simulation_enabled = false
 	stage.add_child(_field)
+
+
+func _mean_light(image: Image) -> float:
+	var sum := 0.0
+	for y in image.get_height():
+		for x in image.get_width():
+			sum += image.get_pixel(x, y).get_luminance()
+	return sum / (image.get_width() * image.get_height())
 
 
 func _count_green(image: Image) -> int:

@@ -1,6 +1,7 @@
 ## Outlines of all ready species where their levels begin.
 extends "res://tests/engine/field_harness.gd"
 
+const FieldDefaults := preload("res://addons/undergrowth/editor/actions/field_defaults.gd")
 const FOLDER := "res://addons/undergrowth/species/"
 ## At 1080 lines and a vertical angle of view of 75°.
 const PIXELS_OF_RADIAN := 703.7
@@ -8,6 +9,20 @@ const MAX_ERROR := 2.0  # Pixels.
 const ROUNDING := 1.01
 const MIN_SPECIES := 27
 const NEAREST := 0.5  # m: levels that end nearer are not used.
+const MAX_DENSE_ERROR := 5.0  # Pixels, at the density of Add as Field.
+## The same of species whose coarse forms are the least exact.
+const MAX_DENSE_ERRORS: Dictionary[String, float] = {
+	"barley": 7.1,
+	"field_horsetail": 7.1,
+	"lavender": 10.4,
+	"lawn_grass": 5.9,
+	"moss_cushion": 12.5,
+	"plantain": 6.5,
+	"red_clover": 12.5,
+	"seedlings": 10.4,
+	"white_clover": 8.6,
+	"wild_strawberry": 6.5,
+}
 
 
 ## A plant alone: fields of many plants change levels nearer, because their triangles are limited.
@@ -32,3 +47,31 @@ func test_levels_begin_where_their_outline_is_within_two_pixels() -> void:
 			var pixels := errors[i] * PIXELS_OF_RADIAN / ends[i - 1]
 			check(pixels <= MAX_ERROR * ROUNDING, "%.2f px at level %d: %s" % [pixels, i, listed])
 			check(ends[i - 1] >= NEAREST, "%s" % listed)
+
+
+## A field of many plants changes its levels nearer, because its triangles are limited.
+func test_dense_fields_have_bounded_errors() -> void:
+	var checked := 0
+	for file in DirAccess.get_files_at(FOLDER):
+		if file.get_extension() != "tres":
+			continue
+		field = FieldDefaults.make_field(load(FOLDER + file) as PlantFunction)
+		field.simulation_enabled = false
+		await start()
+		_check_dense(file.get_basename(), field.get_statistics()["levels"][0])
+		checked += 1
+		field.free()
+	field = PlantField3D.new()
+	field.simulation_enabled = false
+	await start()
+	_check_dense("default field", field.get_statistics()["levels"][0])
+	check(checked >= MIN_SPECIES, "%d species" % checked)
+
+
+func _check_dense(species: String, listed: Dictionary) -> void:
+	var max_error: float = MAX_DENSE_ERRORS.get(species, MAX_DENSE_ERROR)
+	var ends: PackedFloat32Array = listed["ends"]
+	var largest := 0.0
+	for i in range(1, ends.size()):
+		largest = maxf(largest, listed["errors"][i] * PIXELS_OF_RADIAN / ends[i - 1])
+	check(largest <= max_error, "%.1f px of %s: %s" % [largest, species, listed])

@@ -25,6 +25,7 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 		PackedInt32Array variants;
 		PackedFloat32Array ends;
 		PackedFloat32Array errors;
+		PackedInt32Array triangles;
 		PackedByteArray are_carded;
 		for (size_t i = 0; i < style.levels.size(); i++) {
 			if (style.levels[i].is_used) {
@@ -32,6 +33,7 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 				variants.push_back(style.levels[i].groups(style.variant_count));
 				ends.push_back(style.levels[i].end);
 				errors.push_back(i < style.errors.size() ? style.errors[i] : 0.0f);
+				triangles.push_back(i < style.errors.size() ? int(style.triangles_at(i)) : 0);
 				are_carded.push_back(style.is_carded(i) ? 1 : 0);
 			}
 		}
@@ -41,6 +43,7 @@ static TypedArray<Dictionary> list_levels(const FieldRenderSetup &setup) {
 		one["variants"] = variants;
 		one["ends"] = ends;
 		one["errors"] = errors;
+		one["triangles"] = triangles;
 		one["are_carded"] = are_carded;
 		listed.push_back(one);
 	}

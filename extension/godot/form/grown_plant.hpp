@@ -18,6 +18,7 @@ struct LevelLooks {
 	float error = 0.0f; ///< Of the outline (m).
 	bool has_bodies = false; ///< Of SharedMesh.
 	bool has_cards = false; ///< Of SharedMesh.
+	int triangles = 0;
 };
 
 /// A generated plant of parts. All levels of detail share it.

@@ -105,6 +105,7 @@ void SharedMesh::build_locked() {
 		built_width = arrays.width();
 		built_has_cards = arrays.has_cards;
 		built_has_bodies = arrays.has_bodies;
+		built_triangles = int(PackedInt32Array(arrays.arrays[Mesh::ARRAY_INDEX]).size()) / 3;
 		is_built = true;
 	}
 }

@@ -39,6 +39,8 @@ public:
 	bool has_cards() const { return built_has_cards; }
 	/// See MeshArrays. Call after build().
 	bool has_bodies() const { return built_has_bodies; }
+	/// Call after build().
+	int triangles() const { return built_triangles; }
 	/// Returns the error of the outline, and of the edges of blades (m), of a plant of parts. Builds the arrays if
 	/// necessary. Any thread.
 	float outline_error(const LevelError &whole);
@@ -52,6 +54,7 @@ private:
 	float built_width = 0.0f;
 	bool built_has_cards = false;
 	bool built_has_bodies = false;
+	int built_triangles = 0;
 	godot::Vector2 built_from_above;
 
 	void build_locked();

@@ -28,6 +28,8 @@ static constexpr float MAX_SHARE_OF_NEXT = 0.7f; // Largest begin of a level, as
 // The same for solid levels after one with cards that begin nearer than SOLID_SEEN_END (m). Their forms visibly differ.
 static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.5f;
 static constexpr float SOLID_SEEN_END = 5.0f;
+static constexpr float BODIES_SEEN_END = 12.0f; // m.
+static constexpr int MIN_SEGMENTS_OF_BODIES = 5; // Finer ones have many bodies.
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
 // m: a level that begins nearer, and is drawn plant by plant, has this many variants. A plant must not become another
 // one where its stems can be counted.
@@ -43,22 +45,14 @@ static constexpr int DRAFT_SEGMENTS = 5; // Few vertices, but parts are drawn on
 
 // Triangles in view of a whole field, if it has this area or more (m²). Above that, levels change nearer than their
 // error alone demands.
-static constexpr float MAX_TRIANGLES = 1.1e6f;
+static constexpr float MAX_TRIANGLES = 0.85e6f;
 static constexpr float LARGE_AREA = 400.0f;
 // Fractions of a full circle: what a camera sees at once of single plants, and of squares.
 static constexpr float SEEN_SHARE = 0.36f;
 static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
 static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
 static constexpr float MAX_COARSENING = 64.0f;
-static constexpr float COARSENED_AT = 10.0f; // m.
-static constexpr float COARSENING_POWER = 0.85f; // Below 1: distances keep a part of their ratios and do not meet.
-
-// Triangles of the plants of one species around a camera at one level. Plants beside and behind the camera are drawn,
-// too, because their tops can lean into view.
-static constexpr float MAX_TRIANGLES_AROUND = 0.33e6f;
-static constexpr int MIN_SEGMENTS_AROUND = 5; // Levels with fewer begin where their error demands it.
-static constexpr float AROUND_END = 5.0f; // m: farther plants are mostly drawn in view.
-static constexpr float DRAWN_BEYOND = 0.3f; // m: NearPlants draws plants before the level begins.
+static constexpr float COARSENED_FROM = 1.5f; // m.
 
 // Distances (m) at which levels of plants without parts begin, by segments.
 static float lathe_begin(int segments) {
@@ -77,8 +71,15 @@ void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	}
 }
 
-// Begins of all levels (m), ascending. Where a plant would be at COARSENED_AT, its error may be `coarser` times as
-// large; nearer ones need fewer vertices in total and keep more of theirs.
+// Ears and panicles on cards do not become a few bodies where those are seen, even if their outline is better.
+static bool shows_bodies_late(const FieldRenderSetup &setup, const SpeciesStyle &style, size_t level) {
+	return level + 1 < setup.levels.size() && style.has_cards_before(level) && style.have_bodies[level] &&
+			setup.levels[level].lod < MIN_SEGMENTS_OF_BODIES;
+}
+
+// Begins of all levels (m), ascending. From COARSENED_FROM on the error may be `coarser` times as large: equal errors
+// at all distances are the smallest ones for a number of triangles. Nearer plants are few, and keep more of their
+// forms.
 static std::vector<float> begins_of(const FieldRenderSetup &setup, const SpeciesStyle &style, float coarser) {
 	const LevelRule &rule = setup.rule;
 	std::vector<float> begins;
@@ -87,8 +88,9 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 		const float own = has_error
 				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
 				: lathe_begin(setup.levels[i].lod);
-		const float far = std::pow(own / COARSENED_AT, COARSENING_POWER);
-		begins.push_back(i == 0 ? 0.0f : own / (1.0f + (coarser - 1.0f) * far) * rule.lod_bias);
+		const float factor = 1.0f + (coarser - 1.0f) * std::min(own / COARSENED_FROM, 1.0f);
+		const float least = shows_bodies_late(setup, style, i) ? BODIES_SEEN_END : 0.0f;
+		begins.push_back(i == 0 ? 0.0f : std::max(own / factor, least) * rule.lod_bias);
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);
@@ -102,29 +104,10 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 	return begins;
 }
 
-// Lowers the begins of levels after those with too many triangles around a camera.
-static void limit_around(const FieldRenderSetup &setup, const SpeciesStyle &style, std::vector<float> &begins) {
-	for (size_t i = 0; i + 1 < begins.size() && style.density > 0.0f && !style.errors.empty(); i++) {
-		if (setup.levels[i + 1].lod < MIN_SEGMENTS_AROUND) {
-			break;
-		}
-		const float triangles = style.triangles_at(setup.levels[i]);
-		const float area = MAX_TRIANGLES_AROUND / (triangles * style.density);
-		const float end = std::sqrt(area / float(PI)) - DRAWN_BEYOND;
-		if (end < AROUND_END) {
-			begins[i + 1] = std::max(std::min(begins[i + 1], end), 0.0f);
-		}
-	}
-	for (size_t i = begins.size() - 1; i-- > 0;) {
-		begins[i] = std::min(begins[i], begins[i + 1]);
-	}
-}
-
 // A level that begins later than at this share of its end is not used.
 static float max_share_of_next(const LevelRule &rule, const SpeciesStyle &style, size_t level, float begin) {
-	const std::vector<bool> &carded = style.are_carded;
-	const bool is_after_cards = level > 0 && level < carded.size() && carded[level - 1] && !carded[level];
-	return is_after_cards && begin < SOLID_SEEN_END * rule.lod_bias ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
+	const bool is_after_cards = style.has_cards_before(level) && begin < SOLID_SEEN_END * rule.lod_bias;
+	return is_after_cards ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
 }
 
 // Marks the levels that a species uses, and sets their distances.
@@ -181,7 +164,7 @@ static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<
 	}
 	const LodDensity lod_density = DENSITY_OF_SHADOWS.scaled(rule.lod_bias);
 	float begin = 0.0f;
-	if (near != levels.end() && &*near != &*last) {
+	if (rule.has_near_shadows && near != levels.end() && &*near != &*last) {
 		begin = std::min(near_end, end);
 		style.casters[0] = { int(near - levels.begin()), 0.0f, begin, lod_density };
 	}
@@ -204,16 +187,10 @@ static void set_for_model(const SpeciesStyle &style, std::vector<FieldLevel> &le
 	}
 }
 
-// `is_limited`: with limit_around().
-static std::vector<FieldLevel> fitted(
-		const FieldRenderSetup &setup, SpeciesStyle &style, float coarser, bool is_limited = false) {
+static std::vector<FieldLevel> fitted(const FieldRenderSetup &setup, SpeciesStyle &style, float coarser) {
 	const LevelRule &rule = setup.rule;
 	std::vector<FieldLevel> levels = setup.levels;
-	std::vector<float> begins = begins_of(setup, style, coarser);
-	if (is_limited) {
-		limit_around(setup, style, begins);
-	}
-	set_distances(rule, style, begins, levels);
+	set_distances(rule, style, begins_of(setup, style, coarser), levels);
 	if (style.model()) {
 		set_for_model(style, levels);
 	} else if (!style.errors.empty()) {
@@ -227,22 +204,28 @@ static std::vector<FieldLevel> fitted(
 	return levels;
 }
 
-// The triangles that a camera in the middle of the field draws of a species, without its last level. Squares are drawn
-// whole, and also nearer than their level begins.
+// The ground (m²) on which a camera in the middle of the field draws the plants of a level up to this distance. Single
+// plants are also drawn beside and behind the camera, where their tops can lean into view. Squares are drawn whole.
+static float ground_in_view(const LevelRule &rule, const SpeciesStyle &style, bool is_near, float distance) {
+	const float circle = float(PI) * distance * distance;
+	const float reach = style.mean_height() * style.mean_scale;
+	const float beside = 2.0f * reach * distance + 0.5f * float(PI) * reach * reach;
+	const float seen = is_near ? std::min(SEEN_SHARE * circle + beside, circle) : SEEN_SHARE_OF_SQUARES * circle;
+	return rule.area > 0.0f ? std::min(seen, SEEN_SHARE_OF_FIELD * rule.area) : seen;
+}
+
+// The triangles that a camera in the middle of the field draws of a species, without its last level.
 static float triangles_in_view(
 		const FieldRenderSetup &setup, const SpeciesStyle &style, const std::vector<FieldLevel> &levels) {
 	float sum = 0.0f;
-	for (const FieldLevel &level : levels) {
-		const auto ground = [&](float distance, float seen) {
-			const float around = seen * float(PI) * distance * distance;
-			return setup.rule.area > 0.0f ? std::min(around, SEEN_SHARE_OF_FIELD * setup.rule.area) : around;
-		};
+	for (size_t i = 0; i < levels.size(); i++) {
+		const FieldLevel &level = levels[i];
 		if (level.is_used && level.end > 0.0f) {
 			const float share = level.lod_density.density_at(0.5f * (level.begin + level.end));
-			const float from = level.begin - level.margin;
-			const float drawn = level.is_near ? ground(level.end, SEEN_SHARE) - ground(from, SEEN_SHARE)
-											  : ground(level.end, SEEN_SHARE_OF_SQUARES);
-			sum += style.density * share * style.triangles_at(level) * drawn;
+			const float from = std::max(level.begin - level.margin, 0.0f);
+			const float nearer = level.is_near ? ground_in_view(setup.rule, style, true, from) : 0.0f;
+			const float drawn = ground_in_view(setup.rule, style, level.is_near, level.end) - nearer;
+			sum += style.density * share * style.triangles_at(i) * drawn;
 		}
 	}
 	return sum;
@@ -258,7 +241,7 @@ static float coarsening_for(const FieldRenderSetup &setup, SpeciesStyle &style, 
 }
 
 void fit_levels(const FieldRenderSetup &setup, SpeciesStyle &style) {
-	style.levels = setup.rule.is_by_error ? fitted(setup, style, 1.0f, true) : setup.levels;
+	style.levels = setup.rule.is_by_error ? fitted(setup, style, 1.0f) : setup.levels;
 }
 
 void fit_drafts(FieldRenderSetup &setup) {
@@ -308,12 +291,12 @@ void fit_levels(FieldRenderSetup &setup) {
 	std::stable_sort(shares.begin(), shares.end(),
 			[](const Share &one, const Share &other) { return one.need * other.weight < other.need * one.weight; });
 	const float part = setup.rule.area > 0.0f ? std::min(setup.rule.area / LARGE_AREA, 1.0f) : 1.0f;
-	float left = MAX_TRIANGLES * std::sqrt(part * std::sqrt(part)) * setup.rule.lod_bias * setup.rule.lod_bias;
+	float left = MAX_TRIANGLES * std::sqrt(part) * setup.rule.lod_bias * setup.rule.lod_bias;
 	for (const Share &share : shares) {
 		const float max = left * share.weight / weights;
 		if (share.need > max) {
 			const float coarser = coarsening_for(setup, *share.style, max);
-			share.style->levels = fitted(setup, *share.style, coarser, true);
+			share.style->levels = fitted(setup, *share.style, coarser);
 		}
 		left -= std::min(share.need, max);
 		weights -= share.weight;

@@ -1,4 +1,5 @@
 #include "field/view/field_levels.hpp"
+#include "base/renderer.hpp"
 #include "field/view/field_fitting.hpp"
 
 #include <godot_cpp/classes/project_settings.hpp>
@@ -10,7 +11,6 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr float MIN_MARGIN = 1e-3f; // m.
-static constexpr int LEVELS_OF_ALL_VARIANTS = 3; // Of levels by error: where a plant must not change its form.
 static constexpr float MIN_BIAS = 0.01f;
 static constexpr double MIN_PIXEL_ERROR = 0.05;
 
@@ -57,8 +57,8 @@ static bool has_parts(const PlacementOptions &options) {
 
 // Nominal distances: each species of parts has its own.
 static std::vector<ListedLevel> ladder_by_error() {
-	return { { 24, 1.0f, 1.0f }, { 14, 2.5f, 1.0f }, { 8, 6.0f, 1.0f }, { 5, 14.0f, 1.0f }, { 3, 35.0f, 1.0f },
-		{ 2, 0.0f, 1.0f } };
+	return { { 24, 1.0f, 1.0f }, { 14, 2.5f, 1.0f }, { 11, 4.0f, 1.0f }, { 8, 6.0f, 1.0f }, { 6, 10.0f, 1.0f },
+		{ 5, 14.0f, 1.0f }, { 4, 22.0f, 1.0f }, { 3, 35.0f, 1.0f }, { 2, 0.0f, 1.0f } };
 }
 
 static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
@@ -76,6 +76,11 @@ static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 		return ladder_by_error();
 	}
 	return { { 12, 12.0f, 1.0f }, { 6, 25.0f, 1.0f }, { 3, 50.0f, 1.0f }, { 2, 0.0f, 1.0f } };
+}
+
+// Of the number of variants at a level by error. A plant must not change its form where its stems can be counted.
+static int halvings_by_error(int segments) {
+	return segments >= 8 ? 0 : segments >= 5 ? 1 : segments >= 3 ? 2 : 3;
 }
 
 // A level without end reaches its density at twice the distance at which it begins.
@@ -113,6 +118,8 @@ LevelRule read_level_rule(const FieldProperties &options, const SightRange &rang
 	rule.fade_ratio = float(options.fade_ratio);
 	rule.range_end = range.end;
 	rule.shadow_distance = float(options.shadow_distance);
+	// In a shadow pass of Compatibility, shaders measure distances from the light, not from the camera.
+	rule.has_near_shadows = !is_compatibility();
 	const bool is_rectangle = options.map.is_null() && options.outline.is_empty() && !options.endless;
 	rule.area = is_rectangle ? options.size.x * options.size.y : 0.0f;
 	rule.is_wider = options.view_distance <= 0.0;
@@ -137,7 +144,7 @@ std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightR
 		level.end = is_last ? range.end : level.end;
 		level.margin = std::max(rule.fade_ratio * level.begin, MIN_MARGIN);
 		level.end_margin = std::max(rule.fade_ratio * level.end, MIN_MARGIN);
-		level.halvings = std::max(int(i) - (rule.is_by_error ? LEVELS_OF_ALL_VARIANTS - 1 : 0), 0);
+		level.halvings = rule.is_by_error ? halvings_by_error(level.lod) : int(i);
 		level.shadow_end = rule.shadow_distance * range.lod_bias;
 		level.casts_shadows = level.begin < level.shadow_end;
 		// With a view distance, tiles come and go alone.

@@ -23,7 +23,9 @@ FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
 		some.is_by_error = style.is_by_error;
 		some.levels = style.levels;
 		some.errors = style.errors;
+		some.triangles = style.triangles;
 		some.are_carded = style.are_carded;
+		some.have_bodies = style.have_bodies;
 		some.density = style.density;
 		some.mean_scale = style.mean_scale;
 		some.variants = style.variants;

@@ -14,6 +14,7 @@ struct LevelRule {
 	float fade_ratio = 0.25f; ///< Length of a transition over its distance.
 	float range_end = 0.0f; ///< m; 0: no end.
 	float shadow_distance = 30.0f; ///< m.
+	bool has_near_shadows = true; ///< The nearest plants may cast shadows of a finer level than the others.
 	float area = 0.0f; ///< m², of the field; 0: unknown.
 	bool is_wider = true; ///< Squares may be wider than a tile.
 };

@@ -78,7 +78,7 @@ void NearPlants::bind(const FieldRenderSetup &setup) {
 			if (level.is_near) {
 				Band &band = wanted.emplace_back();
 				band.species = int(species);
-				band.bit = uint8_t(1u << i);
+				band.bit = uint16_t(1u << i);
 				band.near = std::max(level.begin - level.margin - SLACK, 0.0f);
 				band.far = level.end + SLACK;
 				band.material = style.materials[i]->get_rid();
@@ -95,7 +95,7 @@ void NearPlants::bind(const FieldRenderSetup &setup) {
 	if (!are_same) {
 		bands = std::move(wanted);
 		for (const std::shared_ptr<NearSquare> &square : squares) {
-			std::fill(square->drawn.begin(), square->drawn.end(), uint8_t(0));
+			std::fill(square->drawn.begin(), square->drawn.end(), uint16_t(0));
 		}
 		return;
 	}
@@ -171,7 +171,7 @@ void NearPlants::take_out(Band &band, const std::vector<Sight> &sights) {
 			if (std::any_of(sights.begin(), sights.end(), sees)) {
 				continue;
 			}
-			slot.square->drawn[size_t(slot.plant)] &= uint8_t(~band.bit);
+			slot.square->drawn[size_t(slot.plant)] &= uint16_t(~band.bit);
 			list.drawn.plants.remove(int(i));
 			list.slots[i] = list.slots.back();
 			list.slots.pop_back();
@@ -194,7 +194,7 @@ void NearPlants::put_in(Band &band, const std::vector<Sight> &sights) {
 
 void NearPlants::put_in(Band &band, NearSquare &square, int cell, const std::vector<Sight> &sights) {
 	for (int plant = square.begins[size_t(cell)]; plant < square.begins[size_t(cell) + 1]; plant++) {
-		uint8_t &drawn = square.drawn[size_t(plant)];
+		uint16_t &drawn = square.drawn[size_t(plant)];
 		const Vector3 root = square.root(plant);
 		const auto sees = [&](const Sight &sight) { return sight.sees(band, root, square.reach); };
 		if ((drawn & band.bit) != 0 || !std::any_of(sights.begin(), sights.end(), sees)) {

@@ -42,7 +42,7 @@ private:
 	/// One level of one species.
 	struct Band {
 		int species = 0;
-		uint8_t bit = 0;
+		uint16_t bit = 0;
 		float near = 0.0f; ///< m, world.
 		float far = 0.0f;
 		godot::RID material;

@@ -31,7 +31,7 @@ struct NearSquare {
 	float lowest = 0.0f; ///< Height of the lowest root (m).
 	float highest = 0.0f;
 	float reach = 0.0f; ///< Largest distance of a plant's parts from its root (m).
-	std::vector<uint8_t> drawn; ///< By plant: bits of the levels that draw it. Only NearPlants writes it.
+	std::vector<uint16_t> drawn; ///< By plant: bits of the levels that draw it. Only NearPlants writes it.
 
 	godot::Vector3 root(int plant) const {
 		const float *own = instances.ptr() + int64_t(plant) * stride;

@@ -130,8 +130,9 @@ LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector
 			measured.push_back(SharedMesh::of(sampled));
 			measured.back()->build();
 			SharedMesh &mesh = *measured.back();
-			return { mesh.outline_error(*outlines[variant]), mesh.has_bodies(), mesh.has_cards() };
+			return { mesh.outline_error(*outlines[variant]), mesh.has_bodies(), mesh.has_cards(), mesh.triangles() };
 		});
+		worst.triangles += looks.triangles / int(outlines.size());
 		worst.error = std::max(worst.error, looks.error);
 		worst.has_bodies = worst.has_bodies || looks.has_bodies;
 		worst.has_cards = worst.has_cards || looks.has_cards;
@@ -158,6 +159,7 @@ void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelEr
 	const float allowed = std::max(blurred, std::min(own / CARD_SHARE, finest));
 	are_carded[level] = (has_bodies ? blurred : allowed) < most;
 	errors[level] = are_carded[level] ? allowed : errors[level];
+	triangles[level] = are_carded[level] ? float(looks.triangles) : triangles[level];
 }
 
 void SpeciesStyle::measure() {
@@ -174,6 +176,8 @@ void SpeciesStyle::measure() {
 	for (size_t level = 0; level < samples.size(); level++) {
 		const LevelLooks solid = measure_level(level, false, outlines);
 		errors.push_back(solid.error);
+		triangles.push_back(float(solid.triangles));
+		have_bodies.push_back(solid.has_bodies);
 		if (has_cards) {
 			measure_cards(level, outlines, solid.has_bodies);
 		}
@@ -201,6 +205,7 @@ bool SpeciesStyle::is_measured() const {
 
 void SpeciesStyle::measure_models() {
 	are_carded.assign(samples.size(), false);
+	have_bodies.assign(samples.size(), false);
 	for (const FieldLevel &level : levels) {
 		float worst = 0.0f;
 		for (const SampledPlant &sampled : samples[0]) {
@@ -226,11 +231,14 @@ bool SpeciesStyle::has_one_model() const {
 	return std::all_of(all.begin(), all.end(), [&](const SampledPlant &one) { return one.model == all.front().model; });
 }
 
-float SpeciesStyle::triangles_at(const FieldLevel &level) const {
-	static constexpr float TRIANGLES_OF_VERTEX = 0.85f;
+bool SpeciesStyle::has_cards_before(size_t level) const {
+	return level < are_carded.size() && !are_carded[level] &&
+			std::count(are_carded.begin(), are_carded.begin() + std::ptrdiff_t(level), true) > 0;
+}
+
+float SpeciesStyle::triangles_at(size_t level) const {
 	const PlantModel *own = model();
-	return own ? float(own->triangles(segments_at(level)))
-			   : TRIANGLES_OF_VERTEX * float(vertex_budget(segments_at(level)));
+	return own ? float(own->triangles(segments_at(levels[level]))) : triangles[level];
 }
 
 void SpeciesStyle::find_sources() {

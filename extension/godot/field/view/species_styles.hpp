@@ -54,7 +54,9 @@ struct SpeciesStyle {
 	bool is_packed = false; ///< True if its meshes have packed vertices.
 	godot::Ref<godot::Material> sampled_material; ///< The material for which it was sampled.
 	std::vector<bool> are_carded; ///< By level: drawn with cards. Empty: none.
+	std::vector<bool> have_bodies; ///< By level: solid, with bodies in place of open parts. Empty: none.
 	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
+	std::vector<float> triangles; ///< By level, of a mesh; empty as `errors`, and for models.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
 	std::vector<std::vector<std::shared_ptr<SharedMesh>>> built; ///< By level and group, shared with other fields.
@@ -152,8 +154,10 @@ struct SpeciesStyle {
 	godot::RID override_for(size_t material) const;
 	/// Sets the materials of a model's surfaces.
 	void set_surface_materials() const;
+	/// True if a level is solid and a finer one has cards.
+	bool has_cards_before(size_t level) const;
 	/// Triangles of a plant at a level.
-	float triangles_at(const FieldLevel &level) const;
+	float triangles_at(size_t level) const;
 	/// Heights of its variants (m).
 	std::vector<float> variant_heights() const;
 	/// Mean of its variants (m).
