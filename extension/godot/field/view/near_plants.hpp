@@ -41,6 +41,10 @@ private:
 	};
 	/// One level of one species.
 	struct Band {
+		Band() = default;
+		Band(Band &&) noexcept = default; // godot-cpp's RID does not say noexcept, and vectors would copy.
+		Band &operator=(Band &&) noexcept = default;
+
 		int species = 0;
 		uint16_t bit = 0;
 		float near = 0.0f; ///< m, world.
