@@ -12,16 +12,17 @@ const NEAREST := 0.5  # m: levels that end nearer are not used.
 const MAX_DENSE_ERROR := 5.0  # Pixels, at the density of Add as Field.
 ## The same of species whose coarse forms are the least exact.
 const MAX_DENSE_ERRORS: Dictionary[String, float] = {
-	"barley": 7.1,
+	"barley": 7.8,
+	"buttercup": 5.4,
 	"field_horsetail": 7.1,
-	"lavender": 10.4,
+	"lavender": 12.5,
 	"lawn_grass": 5.9,
 	"moss_cushion": 12.5,
 	"plantain": 6.5,
 	"red_clover": 12.5,
 	"seedlings": 10.4,
-	"white_clover": 8.6,
-	"wild_strawberry": 6.5,
+	"white_clover": 9.5,
+	"wild_strawberry": 7.1,
 }
 
 

@@ -45,6 +45,10 @@ private:
 	struct Listing;
 	/// One caster of one species.
 	struct Band {
+		Band() = default;
+		Band(Band &&) noexcept = default; // godot-cpp's RID does not say noexcept, and vectors would copy.
+		Band &operator=(Band &&) noexcept = default;
+
 		int species = 0;
 		ShadowCaster caster;
 		godot::RID material;

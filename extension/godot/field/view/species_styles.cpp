@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 using namespace godot;
 
@@ -25,6 +27,12 @@ static constexpr float BODY_SHARE = 2.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
 static constexpr float SHARPEST = 0.0018f; // m, as an error: nearer, parts are seen to be flat.
 static constexpr float MIN_CARD_GAIN = 0.85f;
+// Forms for species without cards only. Heads on cards of these forms would cover far less than the plant's.
+static constexpr int SOLID_SEGMENTS[] = { 11, 6, 4 };
+
+static bool is_for_solids(int segments) {
+	return std::find(std::begin(SOLID_SEGMENTS), std::end(SOLID_SEGMENTS), segments) != std::end(SOLID_SEGMENTS);
+}
 
 static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
@@ -174,11 +182,12 @@ void SpeciesStyle::measure() {
 	std::vector<std::optional<LevelError>> outlines(std::min(samples[0].size(), MEASURED_VARIANTS));
 	are_carded.assign(samples.size(), false);
 	for (size_t level = 0; level < samples.size(); level++) {
-		const LevelLooks solid = measure_level(level, false, outlines);
-		errors.push_back(solid.error);
+		const bool is_offered = !has_cards || !is_for_solids(segments_at(levels[level]));
+		const LevelLooks solid = is_offered ? measure_level(level, false, outlines) : LevelLooks();
+		errors.push_back(is_offered ? solid.error : std::numeric_limits<float>::infinity());
 		triangles.push_back(float(solid.triangles));
 		have_bodies.push_back(solid.has_bodies);
-		if (has_cards) {
+		if (has_cards && is_offered) {
 			measure_cards(level, outlines, solid.has_bodies);
 		}
 	}
@@ -195,7 +204,8 @@ bool SpeciesStyle::is_measured() const {
 	}
 	for (size_t variant = 0; variant < std::min(samples[0].size(), MEASURED_VARIANTS); variant++) {
 		for (const FieldLevel &level : levels) {
-			if (!samples[0][variant].grown->knows_looks(segments_at(level))) {
+			const int segments = segments_at(level);
+			if (!is_for_solids(segments) && !samples[0][variant].grown->knows_looks(segments)) {
 				return false;
 			}
 		}
