@@ -183,7 +183,8 @@ func _add_field() -> PlantField3D:
 
 ## Fails the test unless the plants lie on a plane with this slope along z.
 func _check_slope(field: PlantField3D, slope: float) -> void:
-	check(await until(func() -> bool: return field.get_plant_count() > 0), "plants exist")
+	var is_built := func() -> bool: return field.get_plant_count() > 0 and not field.is_building()
+	check(await until(is_built), "plants exist")
 	var worst := 0.0
 	for id in field.get_plant_ids():
 		var at := field.get_plant_transform(id).origin
