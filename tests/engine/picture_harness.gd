@@ -25,6 +25,27 @@ func make_stage() -> void:
 
 
 ## Returns a constant wind that crosses the picture at an angle.
+## Adds a ground of [param side] (m) to the stage, and lets its lights cast shadows on it.
+func cast_shadows_on_ground(side: float) -> void:
+	var ground := MeshInstance3D.new()
+	ground.mesh = PlaneMesh.new()
+	(ground.mesh as PlaneMesh).size = Vector2(side, side)
+	stage.add_child(ground)
+	cast_shadows()
+
+
+## Lets the lights of the stage cast shadows.
+func cast_shadows() -> void:
+	for light: DirectionalLight3D in stage.find_children("*", "DirectionalLight3D", true, false):
+		light.shadow_enabled = true
+
+
+## Turns the lights of the stage to these angles (rad).
+func turn_lights(rotation: Vector3) -> void:
+	for light: DirectionalLight3D in stage.find_children("*", "DirectionalLight3D", true, false):
+		light.rotation = rotation
+
+
 func make_crossing_wind() -> PlantWind:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_CONSTANT

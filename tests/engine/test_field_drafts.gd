@@ -157,7 +157,7 @@ func _has_final_levels(of := field) -> bool:
 	return _segments(of).all(func(levels: PackedInt32Array) -> bool: return levels.size() > 1)
 
 
-## A process measures a species once.
+## Copies, because a loaded species is measured once.
 func _unmeasured_species() -> Array[PlantFieldSpecies]:
 	var list: Array[PlantFieldSpecies] = []
 	for title in SPECIES:

@@ -146,7 +146,7 @@ func test_few_triangles_of_a_dense_species_are_around_a_camera() -> void:
 		var area := PI * (ends[i] + 0.3) * (ends[i] + 0.3)
 		var triangles: float = _levels()[0]["triangles"][i] * plants * area
 		check(
-			triangles < 0.7e6, "%.0f with %d segments to %.1f m" % [triangles, segments[i], ends[i]]
+			triangles < 0.4e6, "%.0f with %d segments to %.1f m" % [triangles, segments[i], ends[i]]
 		)
 
 

@@ -48,7 +48,7 @@ func test_nothing_is_drawn_beyond_the_visibility_range() -> void:
 
 
 func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
-	_cast_shadows()
+	cast_shadows_on_ground(6.0)
 	_field.shadow_distance = 30.0
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	await frames(5)
@@ -64,7 +64,7 @@ func test_plants_cast_shadows_within_the_shadow_distance_only() -> void:
 
 
 func test_squares_beyond_the_shadow_distance_cast_no_shadows() -> void:
-	_cast_shadows()
+	cast_shadows_on_ground(6.0)
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 3, 12), Vector3.ZERO)
 	_field.add_plants([Transform3D(Basis(), Vector3(1, 0, 0))], TulipFunction.new())
 	var casters: Array[int] = []
@@ -78,7 +78,7 @@ func test_squares_beyond_the_shadow_distance_cast_no_shadows() -> void:
 
 
 func test_shadows_become_narrower_before_their_end() -> void:
-	_cast_shadows()
+	cast_shadows_on_ground(6.0)
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	var away := stage.get_camera_3d().global_position.length()
 	var dark: Array[int] = []
@@ -93,7 +93,7 @@ func test_shadows_become_narrower_before_their_end() -> void:
 
 
 func test_lod_bias_multiplies_the_shadow_distance() -> void:
-	_cast_shadows()
+	cast_shadows_on_ground(6.0)
 	_field.add_plants([Transform3D.IDENTITY], TulipFunction.new())
 	_field.lod_bias = 5.0
 	var away := stage.get_camera_3d().global_position.length()
@@ -147,15 +147,6 @@ func test_a_bent_plant_is_not_culled_where_only_its_tip_is_seen() -> void:
 	_field.add_plants([Transform3D(Basis(Vector3.UP, PI / 2), Vector3(-2.2, 1.0, 0))], function)
 	await frames(5)
 	check(count_different(await picture(), empty_picture()) > MIN_PLANT, "the tip of it is drawn")
-
-
-func _cast_shadows() -> void:
-	var ground := MeshInstance3D.new()
-	ground.mesh = PlaneMesh.new()
-	(ground.mesh as PlaneMesh).size = Vector2(6, 6)
-	stage.add_child(ground)
-	for light in stage.find_children("*", "DirectionalLight3D", true, false):
-		(light as DirectionalLight3D).shadow_enabled = true
 
 
 ## Shadow draws of the last frame. Compatibility counts them together with all others.

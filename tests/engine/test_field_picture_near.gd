@@ -56,13 +56,8 @@ func test_plants_are_drawn_again_when_a_camera_turns_back() -> void:
 
 
 func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:
-	var ground := MeshInstance3D.new()
-	ground.mesh = PlaneMesh.new()
-	(ground.mesh as PlaneMesh).size = Vector2(6, 6)
-	stage.add_child(ground)
-	for light in stage.find_children("*", "DirectionalLight3D", true, false):
-		(light as DirectionalLight3D).shadow_enabled = true
-		(light as DirectionalLight3D).rotation = Vector3(-0.8, 0.6, 0)
+	cast_shadows_on_ground(6.0)
+	turn_lights(Vector3(-0.8, 0.6, 0))
 	_sow()
 	await settled(_field)
 	_field.density = 3.0
@@ -76,13 +71,8 @@ func test_the_nearest_plants_cast_shadows_of_a_coarser_level() -> void:
 
 
 func test_shade_near_the_camera_is_as_dark_as_that_of_whole_plants() -> void:
-	var ground := MeshInstance3D.new()
-	ground.mesh = PlaneMesh.new()
-	(ground.mesh as PlaneMesh).size = Vector2(40, 40)
-	stage.add_child(ground)
-	for light in stage.find_children("*", "DirectionalLight3D", true, false):
-		(light as DirectionalLight3D).shadow_enabled = true
-		(light as DirectionalLight3D).rotation = Vector3(-0.5, 0.6, 0)
+	cast_shadows_on_ground(40.0)
+	turn_lights(Vector3(-0.5, 0.6, 0))
 	_sow()
 	_field.size = Vector2(14, 14)
 	stage.get_camera_3d().look_at_from_position(Vector3(0, 0.8, 2), Vector3(0, 0, 0.5))
@@ -96,8 +86,7 @@ func test_shade_near_the_camera_is_as_dark_as_that_of_whole_plants() -> void:
 
 func test_fields_with_default_settings_cost_little() -> void:
 	stage.size = Vector2i(320, 180)
-	for light in stage.find_children("*", "DirectionalLight3D", true, false):
-		(light as DirectionalLight3D).shadow_enabled = true
+	cast_shadows()
 	await _check_cost(PlantField3D.new(), 2.0e6, 150)
 	var mix: PackedScene = load("res://addons/undergrowth/mixes/meadow.tscn")
 	await _check_cost(mix.instantiate(), 0.8e6, 150)

@@ -94,6 +94,23 @@ func test_a_new_species_is_a_stem_that_sways_in_a_new_wind_and_in_air() -> void:
 		check_near(plant.get_deflection(), 0.0, 1e-3, "it is upright in calm")
 
 
+func test_a_gale_lodges_a_plant_that_no_bodies_push() -> void:
+	reed.wind = PlantWind.new()
+	reed.wind.kind = PlantWind.KIND_CONSTANT
+	reed.species.damping_ratio = 0.5
+	reed.species.recovery_time = 1000.0
+	for angle: float in [0.0, 0.2]:
+		reed.species.lodging_angle = angle
+		var light := _calm_slope(1e-4) / 1e-4
+		_calm_slope(0.8 / light)
+		reed.wind.strength = 0.0
+		swing(reed, 900)
+		var left := tan(reed.get_deflection())
+		check(
+			left > 0.1 if angle > 0.0 else left < 0.01, "%f after a gale, yield %f" % [left, angle]
+		)
+
+
 ## Returns tan of the tip's angle in a constant wind of that many newtons.
 func _calm_slope(newtons: float) -> float:
 	reed.wind.strength = newtons
@@ -131,20 +148,3 @@ func _elastica_root(angle: float, load: float, drags: bool) -> Vector3:
 		way += Vector3(sin(way.z), cos(way.z), 0.0) / PARTS
 		way.z -= moment / PARTS
 	return way
-
-
-func test_a_gale_lodges_a_plant_that_no_bodies_push() -> void:
-	reed.wind = PlantWind.new()
-	reed.wind.kind = PlantWind.KIND_CONSTANT
-	reed.species.damping_ratio = 0.5
-	reed.species.recovery_time = 1000.0
-	for angle: float in [0.0, 0.2]:
-		reed.species.lodging_angle = angle
-		var light := _calm_slope(1e-4) / 1e-4
-		_calm_slope(0.8 / light)
-		reed.wind.strength = 0.0
-		swing(reed, 900)
-		var left := tan(reed.get_deflection())
-		check(
-			left > 0.1 if angle > 0.0 else left < 0.01, "%f after a gale, yield %f" % [left, angle]
-		)

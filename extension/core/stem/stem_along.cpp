@@ -41,12 +41,15 @@ double nearest_bend(const StemConstants &stem, float StemMode::*share, const glm
 		return glm::distance(place, glm::dvec2(tip.x, tip.y));
 	};
 	double best = 0.0;
+	double least = distance(best);
 	double width = static_cast<double>(MAX_STEM_AMPLITUDE);
 	for (double step = width / 16.0; step > 1e-5; step *= 0.25) {
 		const double from = std::max(best - width, 0.0);
 		const double to = std::min(best + width, static_cast<double>(MAX_STEM_AMPLITUDE));
 		for (double bend = from; bend <= to; bend += step) {
-			best = distance(bend) < distance(best) ? bend : best;
+			const double away = distance(bend);
+			best = away < least ? bend : best;
+			least = std::min(away, least);
 		}
 		width = step;
 	}

@@ -95,7 +95,6 @@ void FieldRuntime::split_first_build(BuildInput &input) {
 
 void FieldRuntime::refine(std::unique_ptr<FieldBuild> &&shown) {
 	drafted = std::move(shown);
-	built_before = DRAFT_SHARE * (drafted->has_rest() ? FIRST_SHARE : 1.0f);
 	rebuild(false);
 }
 

@@ -165,10 +165,10 @@ MotionSpecies Plant3D::kind_of_motion() const {
 	if (const std::shared_ptr<const StemConstants> stem = find_stem(view.height())) {
 		kind.stem = *stem;
 	}
+	kind.trampling = species->make_trampling();
 	// The radius has an effect on tips with contact only. Without contact, plants of species with different radii share
 	// a page.
 	const ForceSettings forces = force_settings();
-	kind.trampling = species->make_trampling();
 	kind.collision_radius = forces.has_bodies() || forces.has_contact ? float(species->get_collision_radius()) : 0.0f;
 	return kind;
 }

@@ -69,7 +69,7 @@ void PlantGroup::step(const FieldWind &blowing, double start, const std::vector<
 		air.step(speed, double(page.step_length()));
 	}
 	drops = drop_chance(blowing.precipitation);
-	if (!kind.forces.has_bodies()) { // Else the bodies decide, too.
+	if (!kind.forces.has_bodies()) { // With bodies, PlantBodies makes room.
 		page.make_room_for_lasting_bends(false);
 	}
 	page.step(now, { nullptr, way.x, way.z, side.x, side.z });

@@ -61,6 +61,10 @@ static std::vector<ListedLevel> ladder_by_error() {
 		{ 5, 14.0f, 1.0f }, { 4, 22.0f, 1.0f }, { 3, 35.0f, 1.0f }, { 2, 0.0f, 1.0f } };
 }
 
+bool is_for_solids(int segments) {
+	return segments == 11 || segments == 6 || segments == 4;
+}
+
 static std::vector<ListedLevel> list_levels(const FieldProperties &options) {
 	std::vector<ListedLevel> listed;
 	for (int64_t i = 0; i < options.levels.size(); i++) {

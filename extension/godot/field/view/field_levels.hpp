@@ -27,6 +27,10 @@ SightRange sight_range_of(const godot::GeometryInstance3D *node);
 /// Returns levels up to the range's end, at least one. Without user levels, the defaults depend on the species.
 std::vector<FieldLevel> read_levels(const FieldProperties &options, const SightRange &range);
 
+/// True if only species without cards use a default level with this number of segments: on cards, heads of these forms
+/// would cover far less than the plant's.
+bool is_for_solids(int segments);
+
 /// Returns how the levels of species are chosen.
 LevelRule read_level_rule(const FieldProperties &options, const SightRange &range);
 

@@ -42,7 +42,7 @@ private:
 	/// One level of one species.
 	struct Band {
 		Band() = default;
-		Band(Band &&) noexcept = default; // godot-cpp's RID does not say noexcept, and vectors would copy.
+		Band(Band &&) noexcept = default; // godot-cpp's RID has no noexcept move, so vectors would copy.
 		Band &operator=(Band &&) noexcept = default;
 
 		int species = 0;

@@ -3,6 +3,7 @@
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
 #include "card/card_mips.hpp"
+#include "field/view/field_levels.hpp"
 #include "field/view/field_material.hpp"
 #include "form/grown_plant.hpp"
 #include "form/shared_cards.hpp"
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 using namespace godot;
@@ -27,12 +27,6 @@ static constexpr float BODY_SHARE = 2.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
 static constexpr float SHARPEST = 0.0018f; // m, as an error: nearer, parts are seen to be flat.
 static constexpr float MIN_CARD_GAIN = 0.85f;
-// Forms for species without cards only. Heads on cards of these forms would cover far less than the plant's.
-static constexpr int SOLID_SEGMENTS[] = { 11, 6, 4 };
-
-static bool is_for_solids(int segments) {
-	return std::find(std::begin(SOLID_SEGMENTS), std::end(SOLID_SEGMENTS), segments) != std::end(SOLID_SEGMENTS);
-}
 
 static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
