@@ -128,11 +128,18 @@ func picture() -> Image:
 	for field: PlantField3D in stage.find_children("*", "PlantField3D", true, false):
 		await settled(field)
 	_draw_stage(false)
-	for i in 2:
+	for i in 3:  # A frame starts a list of shadows, and a list can start another one.
 		await process_frame
+		await until(_lists_no_shadows, "all shadows are listed")
 	_draw_stage(true)
 	await RenderingServer.frame_post_draw
 	return stage.get_texture().get_image()
+
+
+func _lists_no_shadows() -> bool:
+	return stage.find_children("*", "PlantField3D", true, false).all(
+		func(field: PlantField3D) -> bool: return not field.get_statistics()["is_listing_shadows"]
+	)
 
 
 func empty_picture() -> Image:

@@ -4,8 +4,6 @@ extends "res://tests/engine/picture_harness.gd"
 const MEADOW_GRASS := "res://addons/undergrowth/species/meadow_grass.tres"
 const SIZE := 60.0  # m
 const MIN_SHADOW := 40  # Pixels.
-## Frames after a change in which a worker thread lists the plants.
-const LATE := 6
 ## Frames in which a field reads the engine's own properties again.
 const POLLED := 20
 const MAX_SHADOW_PRIMITIVES := 0.35e6
@@ -97,8 +95,7 @@ func test_tiles_that_load_after_the_camera_moved_cast_shadows() -> void:
 	await settled(_field)
 	_look_from(Vector3(0.4 * SIZE, 1.2, 0))
 	await frames(1)  # The plants around this camera are listed before its tiles exist.
-	await settled(_field)
-	await frames(LATE)
+	await until(_has_all_tiles_here, "all tiles are loaded")
 	var loaded := await picture()
 	check(await _count_shadows() > MIN_SHADOW, "shadows of the loaded tiles")
 	check(count_different(loaded, await picture()) <= MAX_DIFFERENT, "the same in a new list")
@@ -109,7 +106,6 @@ func test_shadows_come_again_after_they_were_off() -> void:
 	stage.add_child(_field)
 	_look_from(Vector3(0, 1.2, 1.5))
 	await settled(_field)
-	await frames(LATE)
 	var first := await picture()
 	_field.cast_shadow = GeometryInstance3D.SHADOW_CASTING_SETTING_OFF
 	await frames(POLLED)
@@ -128,12 +124,18 @@ func test_shadows_of_a_large_meadow_cost_little() -> void:
 	stage.size = Vector2i(160, 90)
 	_look_from(Vector3(0, 1.7, 18))
 	await settled(_field)
-	await frames(3 * LATE)
+	await picture()
 	var primitives := _shadow_info(RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME)
 	var draws := _shadow_info(RenderingServer.VIEWPORT_RENDER_INFO_DRAW_CALLS_IN_FRAME)
 	check(primitives > 1000, "%d primitives of shadows" % primitives)
 	check(primitives <= MAX_SHADOW_PRIMITIVES, "%d primitives of shadows" % primitives)
 	check(draws <= MAX_SHADOW_DRAWS, "%d draw calls of shadows" % draws)
+
+
+func _has_all_tiles_here() -> bool:
+	var place := stage.get_camera_3d().position
+	var has_plants := _field.find_nearest_plant(Vector3(place.x, 0, place.z), 1.0) >= 0
+	return has_plants and is_settled(_field) and _field.get_statistics()["tiles_waiting"] == 0
 
 
 func _look_from(place: Vector3) -> void:
@@ -142,13 +144,11 @@ func _look_from(place: Vector3) -> void:
 
 ## Returns the number of pixels of a viewport that differ without shadows.
 func _count_shadows(seen: SubViewport = stage) -> int:
-	await frames(LATE)
 	var shaded := await _picture_of(seen)
 	var usual := _field.shadow_distance
 	_field.shadow_distance = 0.0
 	var bright := await _picture_of(seen)
 	_field.shadow_distance = usual
-	await frames(LATE)  # The plants are listed again for the present camera.
 	return count_different(shaded, bright)
 
 

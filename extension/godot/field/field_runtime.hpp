@@ -162,6 +162,7 @@ public:
 	double thin_usec = 0.0; ///< Of the last selection of drawn plants.
 	/// An upper bound (field axes) of everything that is drawn. It has no volume if there are no plants.
 	godot::AABB box() const;
+	bool is_listing_shadows() const { return view.is_listing_shadows(); }
 	const std::vector<int> &count_drawn(const godot::Vector3 &camera) { return view.count_drawn(setup, camera); }
 
 private:

@@ -58,6 +58,7 @@ Dictionary FieldStatistics::to_dictionary(const Node3D *node, FieldRuntime &runt
 	values["drawn_by_level"] = count_drawn(node, runtime);
 	values["levels"] = list_levels(runtime.setup);
 	values["is_rebuilding_meshes"] = (runtime.is_at_work() && !runtime.is_building()) || is_restyle_queued;
+	values["is_listing_shadows"] = runtime.is_listing_shadows();
 	values["tiles"] = runtime.tiles.existing_count();
 	values["tiles_waiting"] = runtime.tiles.waiting_count();
 	values["tiles_usec"] = runtime.streams() ? runtime.tiles_usec : 0.0;

@@ -80,6 +80,8 @@ public:
 	/// shows, and no shadows of distant ones. No cameras: draws everything. The cost depends on the number of
 	/// multimeshes, and only after a camera moved.
 	void cull(const std::vector<DrawingCamera> &cameras);
+	/// As ShadowPlants::is_listing().
+	bool is_listing_shadows() const { return shadows.is_listing(); }
 	/// Call before a frame is drawn.
 	void note_drawing() { has_unflushed = false; }
 	/// Call once per frame. If no frame was drawn, as in a headless process, the renderer processes the new multimeshes

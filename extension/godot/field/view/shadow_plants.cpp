@@ -156,8 +156,12 @@ void ShadowPlants::set_look(const Band &band) const {
 	}
 }
 
+bool ShadowPlants::is_listing() const {
+	return task.is_running() || (!listings.empty() && is_shown());
+}
+
 void ShadowPlants::update(const std::vector<DrawingCamera> &cameras) {
-	if (cameras.empty() || !around.flags.casts_shadows || !around.is_visible || task.is_running()) {
+	if (cameras.empty() || !is_shown() || task.is_running()) {
 		return;
 	}
 	if (listings.empty()) {

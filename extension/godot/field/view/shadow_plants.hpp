@@ -24,6 +24,8 @@ public:
 	void set_squares(const std::vector<std::shared_ptr<NearSquare>> &now);
 	/// Call before a frame is drawn. Passes lists of a bounded number of plants to the renderer.
 	void update(const std::vector<DrawingCamera> &cameras);
+	/// True while plants are being listed, or lists wait for the renderer.
+	bool is_listing() const;
 	/// As those of NearPlants. A field that moves with its camera keeps its lists.
 	void follow(const ListSurroundings &now);
 	void set_transform(const godot::Transform3D &placed);
@@ -66,6 +68,7 @@ private:
 	std::vector<std::unique_ptr<Listing>> listings; ///< Of the task, and then to be passed to the renderer.
 	WorkerTask task; ///< After `listings`, which it writes.
 
+	bool is_shown() const { return around.flags.casts_shadows && around.is_visible; }
 	static bool has_meshes_of(const Band &one, const Band &other);
 	std::vector<Sight> sights_of(const Band &band, const std::vector<DrawingCamera> &cameras) const;
 	Squares squares_in(const Band &band, const std::vector<Sight> &sights) const;
