@@ -3,7 +3,7 @@
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
 a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suites
-`soak` and `species`, and those on the zip, `package`, `export`, `windows` and `arm64`, run only by name.
+`soak`, `species` and `single` (the engine's headless ones without worker threads), and those on the zip, `package`, `export`, `windows` and `arm64`, run only by name.
 `fast` names the core's suite and the engine's headless ones: at most 4 minutes on two quiet cores.
 """
 
@@ -39,6 +39,7 @@ def plan(options):
         suites += engine.suites(options.godot, options.probe, options.recorder, rounds_of(options), options.only)
         suites += soak.suites(options.godot, options.soak) if options.soak else []
     chosen = set(options.suites.split(",")) if options.suites else None
+    suites += engine.without_workers(options.godot, options.only) if options.godot and chosen and "single" in chosen else []
     suites += of_what_is_shipped(options) if chosen else []
     return [(name, run) for name, run in suites if is_chosen(name, chosen)]
 

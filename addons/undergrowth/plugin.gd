@@ -27,6 +27,8 @@ const FIELD_CLASS := &"PlantField3D"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
+## Off: everything runs on the main thread.
+const WORKERS_SETTING := "undergrowth/simulation/use_worker_threads"
 
 var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
@@ -52,7 +54,7 @@ var _translations: Script
 
 
 func _enter_tree() -> void:
-	_show_step_setting()
+	_show_settings()
 	if not ClassDB.class_exists(NATIVE_CLASS):
 		push_error(
 			(
@@ -145,22 +147,22 @@ func _get_plugin_name() -> String:
 	return "Undergrowth"
 
 
-# The setting stays when the plugin is switched off: the simulation reads it in the game, too.
-func _show_step_setting() -> void:
-	if not ProjectSettings.has_setting(STEP_SETTING):
-		ProjectSettings.set_setting(STEP_SETTING, DEFAULT_STEP)
-	ProjectSettings.set_initial_value(STEP_SETTING, DEFAULT_STEP)
-	ProjectSettings.set_as_basic(STEP_SETTING, true)
-	(
-		ProjectSettings
-		. add_property_info(
-			{
-				"name": STEP_SETTING,
-				"type": TYPE_FLOAT,
-				"hint": PROPERTY_HINT_RANGE,
-				"hint_string": "0.001,0.1,0.0001,suffix:s",
-			}
-		)
+# The settings stay when the plugin is switched off: the library reads them in the game, too.
+func _show_settings() -> void:
+	_show_setting(STEP_SETTING, DEFAULT_STEP, PROPERTY_HINT_RANGE, "0.001,0.1,0.0001,suffix:s")
+	_show_setting(WORKERS_SETTING, true)
+
+
+func _show_setting(
+	setting: String, value: Variant, hint := PROPERTY_HINT_NONE, hint_string := ""
+) -> void:
+	if not ProjectSettings.has_setting(setting):
+		ProjectSettings.set_setting(setting, value)
+	ProjectSettings.set_initial_value(setting, value)
+	ProjectSettings.set_as_basic(setting, true)
+	ProjectSettings.set_restart_if_changed(setting, true)
+	ProjectSettings.add_property_info(
+		{"name": setting, "type": typeof(value), "hint": hint, "hint_string": hint_string}
 	)
 
 

@@ -69,6 +69,9 @@ SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread", 
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",
             "no_physics": "[physics]\n\n3d/physics_engine=\"Dummy\"\n"}
+# The library runs each task on the thread that starts it, as in a browser without threads. The engine's own setting
+# for that, threading/worker_pool/max_threads=0, crashes Godot 4.6.3.
+NO_WORKERS = "[undergrowth]\n\nsimulation/use_worker_threads=false\n"
 # Messages of the engine in a virtual display.
 EXPECTED = "WARNING: Could not set V-Sync mode"
 # Each frame is a sixtieth of a second of the scene's time. The machine's load has no effect, and frames do not wait for
@@ -130,6 +133,19 @@ def suites(godot, probe=None, recorder=None, rounds=None, only=None):
             for part in range(len(parts)) for script, folder, method in chosen]
 
 
+def without_workers(godot, only=None):
+    """The headless suites again, as `single:...`, in an engine without worker threads."""
+    scripts = [script for script in sorted((ROOT / "tests/engine").glob("test_*.gd"))
+               if subject(script) not in DRAWN and is_wanted(script, only)]
+    scripts.sort(key=lambda script: subject(script) not in SLOW)
+    folder = make_project("project_single", settings=NO_WORKERS)
+    folders = {name: make_project("project_single_" + name, settings=text + "\n" + NO_WORKERS)
+               for name, text in SETTINGS.items()}
+    return [("single:" + subject(script),
+             lambda script=script: run_script(godot, folders.get(subject(script), folder), script, kind="single"))
+            for script in scripts]
+
+
 def subject(script):
     return script.stem[len("test_"):]
 
@@ -143,9 +159,9 @@ def is_headless(name):
     return name.split(":")[1] not in DRAWN
 
 
-def name_of(script, method=None):
+def name_of(script, method=None, kind="engine"):
     several = len(DRAWN.get(subject(script), [])) > 1
-    return "engine:" + subject(script) + (f":{method}" if several else "")
+    return kind + ":" + subject(script) + (f":{method}" if several else "")
 
 
 def make_probe_project(probe):
@@ -209,9 +225,9 @@ def private_home(environment=os.environ, part=0):
     return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(home / name.lower()) for name in names}}
 
 
-def run_script(godot, folder, script, method=None, rounds=None, part=0):
+def run_script(godot, folder, script, method=None, rounds=None, part=0, kind="engine"):
     """Headless, or drawn in a virtual display by a rendering `method`: the `part`-th process with `rounds` of it."""
-    name = name_of(script, method) + (f":{part + 1}" if part else "")
+    name = name_of(script, method, kind) + (f":{part + 1}" if part else "")
     rounds = rounds or Rounds()
     path = "res://" + (Path("tests/engine") / script.relative_to(ROOT / "tests/engine")).as_posix()
     words = [godot, "--path", folder, *STEADY, "--script", path]

@@ -1,10 +1,8 @@
 #include "base/worker_task.hpp"
 
-#include <godot_cpp/classes/worker_thread_pool.hpp>
+#include "base/workers.hpp"
 
 #include <utility>
-
-using namespace godot;
 
 namespace undergrowth {
 
@@ -12,12 +10,12 @@ void WorkerTask::start(std::function<void()> &&what) {
 	wait();
 	work = std::move(what);
 	is_over = false;
-	task = WorkerThreadPool::get_singleton()->add_native_task(&WorkerTask::run, this);
+	task = Workers::start(&WorkerTask::run, this);
 }
 
 void WorkerTask::wait() {
 	if (task >= 0) {
-		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
+		Workers::wait(task);
 		task = -1;
 	}
 }

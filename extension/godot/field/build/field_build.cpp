@@ -1,8 +1,7 @@
 #include "field/build/field_build.hpp"
 
+#include "base/workers.hpp"
 #include "field/view/field_fitting.hpp"
-
-#include <godot_cpp/classes/worker_thread_pool.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -41,7 +40,7 @@ FieldBuild::~FieldBuild() {
 
 void FieldBuild::wait() {
 	if (task >= 0) {
-		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
+		Workers::wait(task);
 		task = -1;
 	}
 }
@@ -49,7 +48,7 @@ void FieldBuild::wait() {
 void FieldBuild::launch(Stage next) {
 	wait();
 	stage = next;
-	task = WorkerThreadPool::get_singleton()->add_native_task(&FieldBuild::work, this);
+	task = Workers::start(&FieldBuild::work, this);
 }
 
 void FieldBuild::start() {

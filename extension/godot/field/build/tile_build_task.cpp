@@ -1,6 +1,6 @@
 #include "field/build/tile_build_task.hpp"
 
-#include <godot_cpp/classes/worker_thread_pool.hpp>
+#include "base/workers.hpp"
 
 #include <chrono>
 #include <utility>
@@ -23,7 +23,7 @@ TileBuildTask::TileBuildTask(
 
 void TileBuildTask::wait() {
 	if (task >= 0) {
-		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
+		Workers::wait(task);
 		task = -1;
 	}
 }
@@ -43,7 +43,7 @@ bool TileBuildTask::is_at_work() const {
 void TileBuildTask::launch(Stage next) {
 	wait();
 	stage = next;
-	task = WorkerThreadPool::get_singleton()->add_native_task(&TileBuildTask::work, this);
+	task = Workers::start(&TileBuildTask::work, this);
 }
 
 void TileBuildTask::resume(std::vector<float> &&given_heights, std::vector<glm::vec3> &&given_normals) {

@@ -1,6 +1,6 @@
 #include "field/motion/field_steps.hpp"
 
-#include <godot_cpp/classes/worker_thread_pool.hpp>
+#include "base/workers.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -112,7 +112,7 @@ void FieldSteps::start(
 	const bool follows = simulation.settings().prototypes > 0;
 	const int useful = std::max(plants / PLANTS_PER_THREAD, 1);
 	const int tasks = follows ? 1 : std::clamp(std::min(useful, int(runs.size()) - 1), 1, workers);
-	group = WorkerThreadPool::get_singleton()->add_native_group_task(&FieldSteps::work, this, tasks, tasks, true);
+	group = Workers::start_group(&FieldSteps::work, this, tasks);
 }
 
 void FieldSteps::wait() {
@@ -123,7 +123,7 @@ void FieldSteps::wait() {
 		is_inline = StepBatch::finish(ticket);
 	}
 	if (group >= 0) {
-		WorkerThreadPool::get_singleton()->wait_for_group_task_completion(group);
+		Workers::wait_for_group(group);
 		group = -1;
 	}
 	ended_usec = double(busy_nsec.load()) * 1e-3;

@@ -1,10 +1,10 @@
 #include "field/motion/step_batch.hpp"
 
+#include "base/workers.hpp"
 #include "field/motion/field_steps.hpp"
 #include "plants/plant_simulation.hpp"
 
 #include <godot_cpp/classes/os.hpp>
-#include <godot_cpp/classes/worker_thread_pool.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -34,10 +34,10 @@ bool StepBatch::is_idle() {
 		return false;
 	}
 	if (group >= 0) {
-		if (!WorkerThreadPool::get_singleton()->is_group_task_completed(group)) {
+		if (!Workers::is_group_over(group)) {
 			return false;
 		}
-		WorkerThreadPool::get_singleton()->wait_for_group_task_completion(std::exchange(group, -1));
+		Workers::wait_for_group(std::exchange(group, -1));
 	}
 	return true;
 }
@@ -111,7 +111,7 @@ void StepBatch::start() {
 	}
 	static const int64_t processors = OS::get_singleton()->get_processor_count();
 	const int tasks = int(std::clamp(cost / PLANTS_PER_THREAD, int64_t(1), std::max(processors, int64_t(1))));
-	group = WorkerThreadPool::get_singleton()->add_native_group_task(&StepBatch::work, this, tasks, tasks, true);
+	group = Workers::start_group(&StepBatch::work, this, tasks);
 }
 
 void StepBatch::start_collected() {
@@ -135,7 +135,7 @@ void StepBatch::work(void *self, uint32_t) {
 void StepBatch::end_all() {
 	for (const std::unique_ptr<StepBatch> &batch : all_batches()) {
 		if (batch->group >= 0) {
-			WorkerThreadPool::get_singleton()->wait_for_group_task_completion(std::exchange(batch->group, -1));
+			Workers::wait_for_group(std::exchange(batch->group, -1));
 		}
 	}
 }

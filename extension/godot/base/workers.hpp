@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace undergrowth {
+
+/// The engine's worker threads. Without them each task runs where it is started, before start() returns: in an engine
+/// without threads, and with the project setting undergrowth/simulation/use_worker_threads off. Main thread.
+class Workers {
+public:
+	/// Each task and group must be waited for exactly once.
+	static int64_t start(void (*work)(void *), void *data);
+	static void wait(int64_t task);
+
+	/// `work` gets the numbers 0 to `count` - 1.
+	static int64_t start_group(void (*work)(void *, uint32_t), void *data, int count);
+	static bool is_group_over(int64_t group);
+	static void wait_for_group(int64_t group);
+
+private:
+	static bool are_used();
+};
+
+} // namespace undergrowth
