@@ -20,6 +20,13 @@ class Building(unittest.TestCase):
             suffix = compiler.LIBRARY_SUFFIXES[platform]
             self.assertEqual(name, f"bin/libundergrowth.{platform}.template_{kind}.{arch}{suffix}")
 
+    def test_libraries_for_browsers_are_listed_by_the_names_that_builds_give(self):
+        text = (ROOT / archive.LIST).read_text(encoding="utf-8")
+        for kind in ("debug", "release"):
+            for feature, threads in ((".threads", True), ("", False)):
+                suffix = compiler.library_suffix("web", f"template_{kind}", "wasm32", threads)
+                self.assertIn(f'web.{kind}{feature}.wasm32 = "bin/libundergrowth.{suffix}.wasm"\n', text)
+
     def test_help_is_the_same_where_letters_have_no_sign(self):
         self.assertEqual([doc_data.literal(byte) for byte in "aš".encode()], ["97", r"'\xc5'", r"'\xa1'"])
 

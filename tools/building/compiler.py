@@ -19,6 +19,9 @@ ZIG_TARGETS = {
     ("macos", "x86_64"): "x86_64-macos.10.15", ("macos", "arm64"): "aarch64-macos.11.0",
 }
 ZIG_TOOLS = ["gcc", "g++", "gnulink", "ar"]
+# Emscripten's programs, and what they need for a library that the engine loads, as in godot-cpp.
+WEB_PROGRAMS = {"CXX": "em++", "LINK": "em++", "SHLINK": "em++", "AR": "emar", "RANLIB": "emranlib"}
+WEB_FLAGS = ["-sSIDE_MODULE=1", "-sSUPPORT_LONGJMP=wasm"]
 LIBRARY_SUFFIXES = {"linux": ".so", "windows": ".dll", "macos": ".dylib"}
 ZIG_CACHES = ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")
 
@@ -42,7 +45,7 @@ def is_msvc(env):
 def base_environment(make, settings):
     """What all sources share: C++17 and the machine's own tools, or zig's. `make` is SCons' Environment."""
     arch, platform_name, zig = settings["arch"], settings["platform"], settings["zig"]
-    tools = {"tools": ZIG_TOOLS} if zig else {"TARGET_ARCH": arch}
+    tools = {"tools": ZIG_TOOLS} if zig or platform_name == "web" else {"TARGET_ARCH": arch}
     env = make(ENV={name: os.environ[name] for name in PASSED_ON if name in os.environ}, TARGET_PLATFORM=platform_name,
                ZIG=zig, **tools)
     if os.name == "nt":
@@ -52,15 +55,27 @@ def base_environment(make, settings):
             env[tool + "COMSTR"] = word + " $TARGET"
     if zig:
         use_zig(env, settings["ROOT"], platform_name, arch)
+    elif platform_name == "web":
+        use_emscripten(env, settings["ROOT"], settings["threads"])
     else:
         env.Replace(CXX=settings["cxx"] or os.environ.get("CXX") or env["CXX"])
     if is_msvc(env):
         env.Append(CXXFLAGS=["/std:c++17", "/utf-8", "/EHsc", "/Zc:__cplusplus"], CPPDEFINES=["NOMINMAX"])
     else:
-        env.Append(CXXFLAGS=["-std=c++17"], LINKFLAGS=["-pthread"])
+        env.Append(CXXFLAGS=["-std=c++17"], LINKFLAGS=["-pthread"] if settings["threads"] else [])
         if platform_name == "macos" and not zig:
             use_apple(env, arch)
     return env
+
+
+def use_emscripten(env, root, with_threads):
+    """Emscripten from PATH: the version that built the engine's export templates."""
+    env.Replace(SHLIBSUFFIX=".wasm", SHOBJSUFFIX=".pic.o", **WEB_PROGRAMS)
+    env.Append(CCFLAGS=[*WEB_FLAGS, "-msimd128", f"-ffile-prefix-map={root}={os.curdir}"],
+               LINKFLAGS=[*WEB_FLAGS, "-sWASM_BIGINT"])
+    env["ENV"].update({name: value for name, value in os.environ.items() if name.startswith(("EM_", "EMSDK", "EMCC"))})
+    if with_threads:
+        env.Append(CCFLAGS=["-pthread"])
 
 
 def use_apple(env, arch):
@@ -86,7 +101,8 @@ def use_zig(env, root, platform_name, arch):
 
 
 def uses_gcc(env):
-    return not is_msvc(env) and not env["ZIG"] and "clang" not in env["CXX"] and env["TARGET_PLATFORM"] != "macos"
+    others = ("macos", "web")
+    return not is_msvc(env) and not env["ZIG"] and "clang" not in env["CXX"] and env["TARGET_PLATFORM"] not in others
 
 
 def for_library(env, with_asserts):
@@ -151,11 +167,16 @@ def for_kernels(env, file_name, arch):
     return env
 
 
+def library_suffix(platform, kind, arch, with_threads=True):
+    """What the names of libraries and objects end in, before the file's type; as godot-cpp."""
+    return f"{platform}.{kind}.{arch}" + ("" if with_threads else ".nothreads")
+
+
 def use_godot_cpp(env, folder, platform, release):
     """Compiles against the built godot-cpp in `folder`, with the definitions that it was built with."""
     defines = ["GDEXTENSION", "THREADS_ENABLED"] + ([] if release else ["HOT_RELOAD_ENABLED", "DEBUG_ENABLED"])
     defines += {"linux": ["LINUX_ENABLED", "UNIX_ENABLED"], "macos": ["MACOS_ENABLED", "UNIX_ENABLED"],
-                "windows": ["WINDOWS_ENABLED"]}.get(platform, [])
+                "windows": ["WINDOWS_ENABLED"], "web": ["WEB_ENABLED", "UNIX_ENABLED"]}.get(platform, [])
     env.Append(CPPDEFINES=defines)
     for name in ("include", "gen/include", "gdextension"):
         # As system headers: their warnings are not ours to mend.

@@ -14,7 +14,8 @@ NOTICES = ("LICENSE", "README.md", "THIRD_PARTY.md")
 LEFT_OUT = {".exp", ".lib", ".pdb", ".ilk"}
 # The same files give the same archive.
 FIXED_TIME = (2026, 1, 1, 0, 0, 0)
-LIBRARY = re.compile(r'^(\w+)\.(debug|release)\.(\w+) = "(bin/\S+)"$', re.MULTILINE)
+# Libraries for browsers are not in the zip: they depend on the version of Emscripten of the export templates.
+LIBRARY = re.compile(r'^(linux|windows|macos)\.(debug|release)\.(\w+) = "(bin/\S+)"$', re.MULTILINE)
 VERSION = re.compile(r'^version="(\S+)"$', re.MULTILINE)
 
 

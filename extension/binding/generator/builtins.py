@@ -13,8 +13,7 @@ ELEMENTS = {
 
 
 def files(api, names, headers):
-    sizes = next(s for s in api["builtin_class_sizes"] if s["build_configuration"] == "float_64")["sizes"]
-    sizes = {entry["name"]: entry["size"] for entry in sizes}
+    sizes = sizes_of(api)
     result = {}
     for entry in api["builtin_classes"]:
         name, snake = entry["name"], types.snake(entry["name"])
@@ -35,6 +34,15 @@ def files(api, names, headers):
     result.update(utility_functions(api, names))
     result.update(enums(api))
     return result
+
+
+def sizes_of(api):
+    """{type: its size as C++}, which differs where pointers have 32 bits."""
+    tables = {table["build_configuration"]: {entry["name"]: entry["size"] for entry in table["sizes"]}
+              for table in api["builtin_class_sizes"]}
+    small, large = tables["float_32"], tables["float_64"]
+    return {name: str(size) if small[name] == size else f"internal::size_of({small[name]}, {size})"
+            for name, size in large.items()}
 
 
 def declarations(methods, names):
@@ -98,7 +106,7 @@ def opaque_header(entry, names, headers, size):
     after = f"#include <godot_cpp/variant/extras/{snake}_after.inc>\n" if (headers / "variant" / "extras" / f"{snake}_after.inc").exists() else ""
     return (
         f"#pragma once\n#include <array>\n#include <initializer_list>\n#include <godot_cpp/core/defs.hpp>\n#include <godot_cpp/core/interface.hpp>\n{includes}"
-        f"\nnamespace godot {{\n{forward}\nclass {name} {{\n\talignas(8) uint8_t _opaque[{size}];\n\npublic:\n{body}}};\n"
+        f"\nnamespace godot {{\n{forward}\nclass {name} {{\n\talignas(internal::alignment_of({size})) uint8_t _opaque[{size}];\n\npublic:\n{body}}};\n"
         f"{after}}} // namespace godot\n"
     )
 

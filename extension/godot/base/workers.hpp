@@ -8,6 +8,9 @@ namespace undergrowth {
 /// without threads, and with the project setting undergrowth/simulation/use_worker_threads off. Main thread.
 class Workers {
 public:
+	/// False without threads. Any thread.
+	static bool are_used();
+
 	/// Each task and group must be waited for exactly once.
 	static int64_t start(void (*work)(void *), void *data);
 	static void wait(int64_t task);
@@ -16,9 +19,6 @@ public:
 	static int64_t start_group(void (*work)(void *, uint32_t), void *data, int count);
 	static bool is_group_over(int64_t group);
 	static void wait_for_group(int64_t group);
-
-private:
-	static bool are_used();
 };
 
 } // namespace undergrowth

@@ -15,6 +15,9 @@ using namespace godot;
 
 namespace undergrowth {
 
+// A pointer to a method that returns a type that is not complete yet has another signature in WebAssembly.
+static_assert(sizeof(TypedArray<Transform3D>) > 0);
+
 void PlantField3D::reset_motion() {
 	runtime.settle();
 }

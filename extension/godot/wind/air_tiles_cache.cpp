@@ -1,5 +1,7 @@
 #include "wind/air_tiles_cache.hpp"
 
+#include "base/workers.hpp"
+
 #include <future>
 #include <mutex>
 
@@ -19,8 +21,9 @@ void AirTilesCache::begin() {
 	static std::mutex only_once;
 	const std::lock_guard<std::mutex> lock(only_once);
 	if (!making().valid()) {
-		// On systems without threads the first get() builds them.
-		making() = std::async(std::launch::async | std::launch::deferred, make_air_tiles, SEED).share();
+		// Without threads the first get() builds them.
+		const std::launch when = Workers::are_used() ? std::launch::async : std::launch::deferred;
+		making() = std::async(when, make_air_tiles, SEED).share();
 	}
 }
 

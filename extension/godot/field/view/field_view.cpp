@@ -278,7 +278,8 @@ void FieldView::set_tilt(float now, const std::vector<DrawingCamera> &cameras) {
 		return;
 	}
 	tilt = now;
-	for (auto &[place, group] : batches) {
+	for (auto &[key, group] : batches) {
+		const BatchKey &place = key; // In C++17 a lambda captures no structured binding.
 		for (Batch &batch : group) {
 			const bool is_shown = !batch.near && tilt != 0.0f &&
 					std::any_of(cameras.begin(), cameras.end(), [&](const DrawingCamera &camera) {

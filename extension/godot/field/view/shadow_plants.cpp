@@ -44,7 +44,7 @@ struct ShadowPlants::Listing {
 	int size() const;
 
 private:
-	std::optional<float> needed_from(const AABB &around, size_t sight) const;
+	std::optional<float> needed_from(const AABB &cell_box, size_t sight) const;
 	AABB list(const NearSquare &square);
 	void write(const NearSquare &square, int first, int count);
 };
@@ -236,12 +236,12 @@ int ShadowPlants::Listing::size() const {
 
 // Returns the smallest distance (m) at which a camera needs the plants of a box; nothing if none does, or if one before
 // `sight` does, for which they are listed already.
-std::optional<float> ShadowPlants::Listing::needed_from(const AABB &around, size_t sight) const {
+std::optional<float> ShadowPlants::Listing::needed_from(const AABB &cell_box, size_t sight) const {
 	std::optional<float> least;
 	for (size_t i = 0; i < sights.size(); i++) {
 		const Sight &one = sights[i];
-		const float nearest = float(one.place.distance_to(one.place.clamp(around.position, around.get_end())));
-		const float farthest = float(((one.place - around.get_center()).abs() + 0.5f * around.size).length());
+		const float nearest = float(one.place.distance_to(one.place.clamp(cell_box.position, cell_box.get_end())));
+		const float farthest = float(((one.place - cell_box.get_center()).abs() + 0.5f * cell_box.size).length());
 		if (nearest >= one.end || farthest < one.begin) {
 			continue;
 		}
@@ -259,15 +259,15 @@ AABB ShadowPlants::Listing::list(const NearSquare &square) {
 	for (size_t i = 0; i < sights.size(); i++) {
 		square.for_each_cell(sights[i].place, sights[i].end, [&](int cell) {
 			const int first = square.begins[size_t(cell)];
-			const AABB around = square.box_of(cell);
+			const AABB cell_box = square.box_of(cell);
 			const bool is_empty = first == square.begins[size_t(cell) + 1];
-			const std::optional<float> away = is_empty ? std::nullopt : needed_from(around, i);
+			const std::optional<float> away = is_empty ? std::nullopt : needed_from(cell_box, i);
 			if (!away) {
 				return;
 			}
 			const float cut = lod_density.cut_at(std::max(*away - SLACK, 0.0f));
 			write(square, first, square.count_ranked(cell, cut));
-			all = all.has_surface() ? all.merge(around) : around;
+			all = all.has_surface() ? all.merge(cell_box) : cell_box;
 		});
 	}
 	return all.has_surface() ? all.grow(square.reach) : AABB();

@@ -74,6 +74,15 @@ namespace internal {
 // Tag of constructors that leave the bytes uninitialized, for the engine to fill.
 struct Uninitialized {};
 
+/// One of the sizes of a type of the engine with pointers of 32 and of 64 bits.
+constexpr size_t size_of(size_t with_32, size_t with_64) {
+	return sizeof(void *) == 4 ? with_32 : with_64;
+}
+
+constexpr size_t alignment_of(size_t size) {
+	return size % 8 == 0 ? 8 : 4;
+}
+
 } // namespace internal
 
 } // namespace godot
