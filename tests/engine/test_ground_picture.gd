@@ -17,6 +17,9 @@ const NEAR_HEIGHT := 1.7
 const NEAR_COLOR := 7.5
 ## Deviation of the lightness of the ground, as a share of that of the plants.
 const MIN_DETAIL := 0.35
+## Of the distant field above and below a view: deviation of the lightness, as a share of that of the
+## other side of a border of its planes.
+const MIN_EVENNESS := 0.75
 
 var _ground: MeshInstance3D
 
@@ -59,6 +62,23 @@ func test_the_end_of_a_near_field_is_no_line() -> void:
 		check(detail > MIN_DETAIL * own, "%s: detail %.1f beyond %.1f" % [file, detail, own])
 		stage.free()
 	make_stage()
+
+
+func test_the_distant_field_has_no_flat_bands() -> void:
+	await _make_stage("")
+	var material := (load(GROUNDS + "field_soil.tres") as ShaderMaterial).duplicate()
+	material.set_shader_parameter(&"field_height", 0.8)
+	material.set_shader_parameter(&"field_distance", 2.0)
+	_ground.material_override = material
+	var camera := stage.get_camera_3d()
+	camera.fov = 15.0
+	camera.look_at_from_position(Vector3(0.0, 6.0, 0.0), Vector3(0.0, 0.0, -17.0))
+	# From 17.6 m on, twice as far apart planes are drawn.
+	var shown := await picture()
+	var nearer := _deviation(shown, 15.0, 17.0)
+	var farther := _deviation(shown, 18.5, 20.5)
+	var evenness := minf(nearer, farther) / maxf(nearer, farther)
+	check(evenness > MIN_EVENNESS, "%.2f: %.1f and %.1f" % [evenness, nearer, farther])
 
 
 func test_bare_ground_shows_where_the_field_ends() -> void:
