@@ -139,6 +139,13 @@ func test_the_selected_part_is_edited_below() -> void:
 	sliders[0].value = 60.0
 	await frames(3)
 	check_equal([sliders[0].value, sliders[1].value], [60.0, 60.0], "the other end moves along")
+	var angle := _find_property(&"angle", false)[0] as EditorProperty
+	sliders = angle.find_children("*", "EditorSpinSlider", true, false)
+	var last: float = sliders[1].value
+	sliders[0].value = last - 5.0
+	await frames(3)
+	check(absf(sliders[0].value - last + 5.0) < 0.1, "the first angle: %s°" % sliders[0].value)
+	check(absf(sliders[1].value - last) < 0.1, "the last angle: %s°" % sliders[1].value)
 
 
 func test_minus_one_reads_as_what_it_means() -> void:

@@ -42,6 +42,10 @@ func test_clicks_and_enter_draw_a_hedge() -> void:
 	for place: Vector3 in [LEFT, MIDDLE, RIGHT]:
 		await click(_view(), _place_of(field, place))
 	check_equal(_history().get_version(), version, "nothing before Enter")
+	await press_key(_view(), KEY_BRACKETRIGHT)
+	var shown: float = (_settings().get_node("%PathWidth") as EditorSpinSlider).value
+	check(shown > 0.41, "a key makes it wider: %f m are shown" % shown)
+	_set_width(0.4)
 	await press_key(_view(), KEY_ENTER)
 	await _rested(field)
 	check_equal(_history().get_version(), version + 1, "one step")

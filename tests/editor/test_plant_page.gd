@@ -105,6 +105,19 @@ func test_preview_turns_and_zooms() -> void:
 	check(camera.position.is_equal_approx(before), "the button puts it back")
 
 
+func test_preview_shows_the_plant_between_covered_parts() -> void:
+	await inspect("Poppy")
+	var camera := preview_part("Camera") as Camera3D
+	var height: float = camera.get_viewport().get_visible_rect().size.y
+	var usual: Vector2 = camera.get("_covered")
+	for covered: Vector2 in [Vector2(0.3, 0.0), Vector2(0.0, 0.3)]:
+		camera.call(&"spare", covered * height)
+		var middle := camera.unproject_position(camera.get("_center")).y / height
+		var free := 0.5 * (covered.x + 1.0 - covered.y)
+		check(absf(middle - free) < 0.03, "the plant is at %.2f, not %.2f" % [middle, free])
+	camera.call(&"spare", usual)
+
+
 func test_preview_sways() -> void:
 	await inspect("Poppy")
 	var plant := preview_part("Plants").get_child(0) as Plant3D

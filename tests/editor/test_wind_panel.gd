@@ -174,8 +174,8 @@ func _find_in_inspector(name: String) -> Control:
 
 func test_wind_is_saved() -> void:
 	await _open_scene()
-	for property: StringName in [&"wetness", &"snow", &"rain"]:
-		_wind().set(property, 0.5)
+	for property: StringName in [&"canopy_wave_amount", &"wetness", &"snow", &"rain"]:
+		_wind().set(property, 0.45)
 	await _press_button("Save")
 	var dialog: EditorFileDialog
 	for child in wind_part("WindActions").get_children():

@@ -151,8 +151,8 @@ func empty_picture() -> Image:
 ## Returns the number of pixels in which two pictures differ.
 func count_different(one: Image, other: Image) -> int:
 	var count := 0
-	for y in PICTURE_SIZE.y:
-		for x in PICTURE_SIZE.x:
+	for y in one.get_height():
+		for x in one.get_width():
 			var a := one.get_pixel(x, y)
 			var b := other.get_pixel(x, y)
 			var apart := maxf(absf(a.r - b.r), maxf(absf(a.g - b.g), absf(a.b - b.b)))

@@ -62,6 +62,8 @@ func test_a_field_that_turns_leans_by_the_speed_of_each_place() -> void:
 	var places: Array[Transform3D] = []
 	for x: float in [0.0, 3.0, 6.0]:
 		places.append(Transform3D(Basis.IDENTITY, Vector3(x, 0, 0)))
+	for z: float in [3.0, 6.0]:
+		places.append(Transform3D(Basis.IDENTITY, Vector3(0, 0, z)))
 	var ids := field.add_plants(places, _species())
 	for i in SETTLING:
 		field.rotation.y += 1.0 / 60.0
@@ -72,6 +74,9 @@ func test_a_field_that_turns_leans_by_the_speed_of_each_place() -> void:
 	check_near(leans[0], 0.0, 1e-3, "in the middle")
 	check(leans[1] > 0.002, "farther out it leans back: %s" % str(leans))
 	check(leans[2] > 2.0 * leans[1], "the more the farther: %s" % str(leans))
+	for i: int in [1, 2]:  # The field turns these a quarter later through the same place.
+		var lean := places[i + 2].origin.x - field.get_tip_position(ids[i + 2]).x
+		check_near(lean, leans[i], 0.05 * leans[i], "%d m along z" % (3 * i))
 
 
 func test_what_is_set_down_elsewhere_feels_no_wind() -> void:

@@ -100,6 +100,18 @@ func test_leaves_have_veins_that_fade() -> void:
 			check(left < 0.6 * seen, "veins %d: %.3f far away, %.3f near" % [kind, left, seen])
 
 
+func test_undersides_of_leaves_are_paler_and_bluer() -> void:
+	_show(_leaf(Color(0.4, 0.6, 0.2), 2.0))
+	var seen: Array[Color] = []
+	for side: float in [1.0, -1.0]:
+		var place := Vector3(0, 0, 1.5 * side)
+		stage.get_camera_3d().look_at_from_position(place, Vector3.ZERO)
+		_light_from(place)
+		seen.append(_mean_color(await picture()))
+	check(seen[1].b > 1.1 * seen[0].b, "blue: %s above, %s below" % seen)
+	check(seen[1].b / seen[1].g > 1.03 * seen[0].b / seen[0].g, "hue: %s above, %s below" % seen)
+
+
 func test_no_channel_of_a_petal_is_clipped() -> void:
 	_show(_leaf(Color(1.0, 0.0, 0.0), 4.0))
 	var shown := (await picture()).get_pixelv(MIDDLE)
@@ -229,6 +241,15 @@ func _mean_of(shown: Image) -> float:
 			sum += light
 			count += 1 if light > 0.0 else 0
 	return sum / maxi(count, 1)
+
+
+## Returns the mean linear colour of the whole picture.
+func _mean_color(shown: Image) -> Color:
+	var sum := Color.BLACK
+	for y in PICTURE_SIZE.y:
+		for x in PICTURE_SIZE.x:
+			sum += shown.get_pixel(x, y).srgb_to_linear()
+	return sum / (PICTURE_SIZE.x * PICTURE_SIZE.y)
 
 
 func _count_lighter(one: Image, other: Image) -> int:

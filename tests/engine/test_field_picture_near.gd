@@ -27,6 +27,22 @@ func test_plants_of_a_turned_field_near_a_moving_camera_are_all_drawn() -> void:
 		check_near(float(by_error[step]), float(whole[step]), 0.1 * whole[step], "pixels of plants")
 
 
+func test_a_camera_that_keeps_the_width_of_a_tall_picture_sees_all_plants() -> void:
+	stage.size = Vector2i(80, 240)
+	_sow()
+	_field.size = Vector2(12, 12)
+	var camera := stage.get_camera_3d()
+	camera.look_at_from_position(Vector3(0, 3, 0), Vector3.ZERO, Vector3.FORWARD)
+	camera.keep_aspect = Camera3D.KEEP_WIDTH
+	camera.fov = 60.0
+	var shown := await picture()
+	camera.keep_aspect = Camera3D.KEEP_HEIGHT
+	camera.fov = 120.0  # The same picture: its height is three times its width.
+	var same := await picture()
+	check(_count_green(same) > 10 * MIN_PLANT, "plants are drawn")
+	check(count_different(shown, same) <= MAX_DIFFERENT, "the same picture")
+
+
 func test_a_camera_that_turns_sees_plants_in_the_same_frame() -> void:
 	_sow()
 	await settled(_field)

@@ -91,6 +91,24 @@ func test_water_makes_leaves_darker_and_snow_makes_them_lighter() -> void:
 	check_near(_mean_light(await picture()), dry, 1e-4, "dry again")
 
 
+func test_clumps_of_colour_move_with_their_field() -> void:
+	var species := _tulip()
+	for tone: StringName in [&"patchiness", &"dead_leaves"]:  # Tones of places in the world.
+		species.material.set_shader_parameter(tone, 0.0)
+	species.material.set_shader_parameter(&"clumpiness", 2.0)
+	var places: Array[Transform3D] = []
+	for i in 36:
+		places.append(Transform3D(Basis(), Vector3(0.35 * (i % 6) - 0.9, 0, 0.5 - 0.4 * (i / 6))))
+	_field.add_plants(places, species)
+	var before := await picture()
+	for node: Node3D in [_field, stage.get_camera_3d()]:
+		node.position += Vector3(7.3, 0, 4.1)
+	var after := await picture()
+	check(count_different(before, empty_picture()) > MIN_PLANT, "plants are drawn")
+	var different := count_different(before, after)
+	check(different <= MAX_PART_PIXELS, "%d pixels differ" % different)
+
+
 func test_leaves_on_a_slope_are_still_without_wind() -> void:
 	_wind.strength = 0.0
 	var tilt := Basis(Vector3(1, 0, 0.5).normalized(), -0.4)

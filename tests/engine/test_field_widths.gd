@@ -67,6 +67,20 @@ func test_few_wide_leaves_cover_no_more_than_many_from_above() -> void:
 	check_near(float(coarse), float(fine), 0.35 * fine, "pixels of few leaves from above")
 
 
+func test_a_plant_in_an_orthogonal_view_is_as_wide_at_all_distances() -> void:
+	_field.add_plants([Transform3D.IDENTITY], load(MEADOW_GRASS))
+	_field.levels = [PlantFieldLevel.of(24, 0.5), PlantFieldLevel.of(12)]
+	var camera := stage.get_camera_3d()
+	camera.projection = Camera3D.PROJECTION_ORTHOGONAL
+	camera.size = 0.8
+	var counts: Array[float] = []
+	for distance: float in [5.0, 40.0]:
+		camera.look_at_from_position(Vector3(0, 0.3, distance), Vector3(0, 0.3, 0))
+		counts.append(_count_covered(await picture()))
+	check(counts[0] > MIN_PLANT, "a plant is drawn")
+	check_near(counts[1], counts[0], 0.05 * counts[0], "pixels from 40 m")
+
+
 func test_widened_far_plants_are_not_brighter() -> void:
 	_field.material_override = ShaderMaterial.new()
 	(_field.material_override as ShaderMaterial).shader = load(STYLE)

@@ -109,6 +109,31 @@ func test_leaves_lag_behind_their_stem_and_each_in_its_own_way() -> void:
 	check(absf(turns[0] - turns[1]) > 1e-3 and absf(turns[1] - turns[2]) > 1e-3, "%s" % [turns])
 
 
+func test_the_second_mode_of_a_leaning_stem_bends_it_as_that_of_an_upright_one() -> void:
+	var ways: Array[float] = []
+	for lean: float in [0.0, 0.8]:
+		var species := _load("garden_tulip").duplicate(true) as PlantFunction
+		species.lean = lean
+		species.stem.modes = 2
+		_plant.species = species
+		_plant.wind.strength = 0.0
+		_plant.reset_motion()
+		var skeleton := _plant.get_skeleton()
+		var joint := skeleton.find_bone("stem_3")
+		var before := skeleton.get_bone_global_pose(joint).origin
+		var rest := _plant.get_tip_position().normalized()
+		var way := Vector3(rest.x, 0, rest.z).normalized() if lean > 0.0 else Vector3.RIGHT
+		var bend := Quaternion(Vector3.UP, rest) * (0.3 * way)
+		var state := PackedFloat32Array(
+			[rest.x, rest.y, rest.z, 0, 0, 0, bend.x, bend.y, bend.z, 0, 0, 0]
+		)
+		_plant.set_motion_state(state)
+		_plant.advance(1e-3)
+		ways.append(skeleton.get_bone_global_pose(joint).origin.distance_to(before))
+	check(ways[0] > 0.005, "the upright stem is bent by %f m" % ways[0])
+	check_near(ways[1], ways[0], 0.1 * ways[0], "way of the leaning one")
+
+
 func test_a_plant_at_rest_has_still_leaves_and_comes_back_to_rest() -> void:
 	_plant.wind.strength = 0.0
 	var skeleton := _plant.get_skeleton()

@@ -25,6 +25,19 @@ func test_a_ball_holds_the_tip_at_its_surface_and_the_tip_is_a_sphere() -> void:
 			ball.free()
 
 
+func test_a_capsule_pushes_up_to_its_round_end() -> void:
+	var capsule := CapsuleShape3D.new()
+	capsule.radius = 0.2
+	capsule.height = 1.0
+	var plant := add_plant(make_species(PlantFunction.LAW_SPRING))
+	var body := add_body(capsule, Vector3(-0.05, 1.2 + 0.05 + 0.1 + 0.5, 0))
+	await pass_time(0.5)
+	check_near(plant.get_deflection(), 0.0, 1e-6, "deflection 10 cm below the capsule")
+	body.position.y -= 0.2
+	await pass_time(0.5)
+	check(plant.get_deflection() > 0.02, "a lower one pushes: %f" % plant.get_deflection())
+
+
 func test_a_fast_body_pushes_from_its_place_in_the_same_frame() -> void:
 	var plant := add_plant(make_species(PlantFunction.LAW_SPRING, 0.0))
 	var ball := add_ball(Vector3(-0.8, 1.2, 0), RADIUS)

@@ -53,6 +53,31 @@ func test_dense_plants_beyond_the_nearest_ones_cast_shadows() -> void:
 	check(await _count_shadows() > MIN_SHADOW, "shadows 10 m from the camera")
 
 
+func test_plants_at_the_end_of_a_long_tile_cast_shadows() -> void:
+	_field.density = 3.0
+	_field.size = Vector2(100, 8)
+	_field.tile_size = 64.0
+	stage.add_child(_field)
+	_look_from(Vector3(47, 1.2, 1.5))
+	await settled(_field)
+	check(await _count_shadows() > MIN_SHADOW, "shadows 47 m from the other end")
+
+
+func test_plants_of_a_field_that_moved_cast_shadows() -> void:
+	_field.density = 3.0
+	_field.size = Vector2(12, 12)
+	stage.add_child(_field)
+	_look_from(Vector3(0, 1.2, 1.5))
+	await settled(_field)
+	var shadows := float(await _count_shadows())
+	check(shadows > MIN_SHADOW, "shadows where the field is built")
+	var way := Vector3(2.0 * SIZE, 0, 0)
+	for node: Node3D in [_field, _ground]:
+		node.position += way
+	_look_from(way + Vector3(0, 1.2, 1.5))
+	check_near(float(await _count_shadows()), shadows, 0.1 * shadows, "shadows 120 m farther")
+
+
 func test_each_camera_has_shadows_around_it() -> void:
 	_field.density = 3.0
 	stage.add_child(_field)
