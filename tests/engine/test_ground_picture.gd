@@ -17,8 +17,8 @@ const NEAR_HEIGHT := 1.7
 const NEAR_COLOR := 7.5
 ## Deviation of the lightness of the ground, as a share of that of the plants.
 const MIN_DETAIL := 0.35
-## Of the distant field on one side of a border of its planes: deviation of the lightness, as a share
-## of that on the other side.
+## Of the distant field on one side of a border of its planes: deviation of the lightness, as a
+## share of that on the other side.
 const MIN_EVENNESS := 0.75
 
 var _ground: MeshInstance3D
