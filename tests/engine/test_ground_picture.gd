@@ -81,6 +81,26 @@ func test_the_distant_field_has_no_flat_bands() -> void:
 	check(evenness > MIN_EVENNESS, "%.2f: %.1f and %.1f" % [evenness, nearer, farther])
 
 
+func test_the_far_field_starts_on_each_side_of_the_plants() -> void:
+	await _make_stage("")
+	var material := (load(GROUNDS + "field_soil.tres") as ShaderMaterial).duplicate()
+	material.set_shader_parameter(&"field_height", 0.8)
+	material.set_shader_parameter(&"field_distance", 1000.0)
+	_ground.material_override = material
+	var camera := stage.get_camera_3d()
+	camera.fov = 28.0
+	camera.look_at_from_position(Vector3(0.0, 6.0, 0.0), Vector3(0.0, 0.0, -20.0))
+	material.set_shader_parameter(&"field_bounds", Vector4(-200.0, -200.0, 400.0, 400.0))
+	var bare := await picture()
+	material.set_shader_parameter(&"field_bounds", Vector4(-200.0, -30.0, 400.0, 10.0))
+	var shown := await picture()
+	for side: Vector2 in [Vector2(12.0, 17.0), Vector2(34.0, 45.0)]:
+		var apart := _mean(shown, side.x, side.y).distance_to(_mean(bare, side.x, side.y))
+		check(apart > 5.0, "plants %.0f m away: %.1f" % [side.x, apart])
+	var inside := _mean(shown, 23.0, 27.0).distance_to(_mean(bare, 23.0, 27.0))
+	check(inside < 1.0, "no far plants between them: %.1f" % inside)
+
+
 func test_bare_ground_shows_where_the_field_ends() -> void:
 	await _make_stage("species/meadow_grass.tres", "field_soil")
 	var field: PlantField3D = _ground.get(&"field")
