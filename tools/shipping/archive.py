@@ -53,7 +53,7 @@ def write(target, found):
         for name, path in found.items():
             entry = zipfile.ZipInfo(name, FIXED_TIME)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.external_attr = (0o755 if path.suffix in (".so", ".dylib") else 0o644) << 16
+            entry.external_attr = (0o755 if path.suffix in (".so", ".dylib", ".x86_64") else 0o644) << 16
             archive.writestr(entry, path.read_bytes())
 
 
