@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes build/undergrowth-demo-VERSION-SYSTEM.zip: the demo as a game, by the engine's release templates. The add-on in it
-is that of the zip that `./run package` writes, and the systems are those of which that zip has a release library.
+"""Writes build/undergrowth-demo-VERSION-SYSTEM.zip: the demo as a game, by the engine's release templates. It
+contains the add-on from the zip of `./run package`, and there is a game for each system with a release library in that zip.
 """
 
 import argparse
@@ -72,7 +72,7 @@ def make_project(addon_zip, template):
 
 
 def call(godot, *words):
-    """Starts the engine on the project. Returns its output."""
+    """Starts the engine on the project. Returns its exit status and its output."""
     done = subprocess.run([godot, "--headless", "--path", OUT / "project", *words], stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=TIMEOUT)
     return done.returncode, done.stdout

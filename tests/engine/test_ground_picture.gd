@@ -65,11 +65,7 @@ func test_the_end_of_a_near_field_is_no_line() -> void:
 
 
 func test_the_distant_field_has_no_flat_bands() -> void:
-	await _make_stage("")
-	var material := (load(GROUNDS + "field_soil.tres") as ShaderMaterial).duplicate()
-	material.set_shader_parameter(&"field_height", 0.8)
-	material.set_shader_parameter(&"field_distance", 2.0)
-	_ground.material_override = material
+	await _show_far_field(2.0)
 	var camera := stage.get_camera_3d()
 	camera.fov = 15.0
 	camera.look_at_from_position(Vector3(0.0, 6.0, 0.0), Vector3(0.0, 0.0, -17.0))
@@ -82,11 +78,7 @@ func test_the_distant_field_has_no_flat_bands() -> void:
 
 
 func test_the_far_field_starts_on_each_side_of_the_plants() -> void:
-	await _make_stage("")
-	var material := (load(GROUNDS + "field_soil.tres") as ShaderMaterial).duplicate()
-	material.set_shader_parameter(&"field_height", 0.8)
-	material.set_shader_parameter(&"field_distance", 1000.0)
-	_ground.material_override = material
+	var material := await _show_far_field(1000.0)
 	var camera := stage.get_camera_3d()
 	camera.fov = 28.0
 	camera.look_at_from_position(Vector3(0.0, 6.0, 0.0), Vector3(0.0, 0.0, -20.0))
@@ -200,6 +192,16 @@ func _make_stage(
 		_ground.set(&"field", field)
 	stage.add_child(_ground)
 	await frames(2)
+
+
+# Makes a stage with ground only, where plants of 0.8 m start at a distance. Returns its material.
+func _show_far_field(distance: float) -> ShaderMaterial:
+	await _make_stage("")
+	var material := (load(GROUNDS + "field_soil.tres") as ShaderMaterial).duplicate()
+	material.set_shader_parameter(&"field_height", 0.8)
+	material.set_shader_parameter(&"field_distance", distance)
+	_ground.material_override = material
+	return material
 
 
 # The mean colour (L*a*b*) of the ground between two distances.

@@ -172,9 +172,9 @@ def library_suffix(platform, kind, arch, with_threads=True):
     return f"{platform}.{kind}.{arch}" + ("" if with_threads else ".nothreads")
 
 
-def use_godot_cpp(env, folder, platform, release):
+def use_godot_cpp(env, folder, platform, release, with_threads=True):
     """Compiles against the built godot-cpp in `folder`, with the definitions that it was built with."""
-    defines = ["GDEXTENSION", "THREADS_ENABLED"] + ([] if release else ["HOT_RELOAD_ENABLED", "DEBUG_ENABLED"])
+    defines = ["GDEXTENSION"] + (["THREADS_ENABLED"] if with_threads else []) + ([] if release else ["HOT_RELOAD_ENABLED", "DEBUG_ENABLED"])
     defines += {"linux": ["LINUX_ENABLED", "UNIX_ENABLED"], "macos": ["MACOS_ENABLED", "UNIX_ENABLED"],
                 "windows": ["WINDOWS_ENABLED"], "web": ["WEB_ENABLED", "UNIX_ENABLED"]}.get(platform, [])
     env.Append(CPPDEFINES=defines)

@@ -1,7 +1,5 @@
 #include "base/worker_task.hpp"
 
-#include "base/workers.hpp"
-
 #include <utility>
 
 namespace undergrowth {
@@ -14,10 +12,7 @@ void WorkerTask::start(std::function<void()> &&what) {
 }
 
 void WorkerTask::wait() {
-	if (task >= 0) {
-		Workers::wait(task);
-		task = -1;
-	}
+	Workers::wait(task);
 }
 
 void WorkerTask::run(void *self) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/workers.hpp"
+
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -17,13 +19,13 @@ public:
 
 	/// Starts `what` after the present task has ended.
 	void start(std::function<void()> &&what);
-	bool is_running() const { return task >= 0 && !is_over.load(); }
+	bool is_running() const { return task != Workers::NONE && !is_over.load(); }
 	void wait();
 
 private:
 	std::function<void()> work;
 	std::atomic<bool> is_over{ true };
-	int64_t task = -1;
+	int64_t task = Workers::NONE;
 
 	static void run(void *self);
 };

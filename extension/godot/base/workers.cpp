@@ -27,10 +27,11 @@ int64_t Workers::start(void (*work)(void *), void *data) {
 	return OVER;
 }
 
-void Workers::wait(int64_t task) {
-	if (task != OVER) {
+void Workers::wait(int64_t &task) {
+	if (task != NONE && task != OVER) {
 		WorkerThreadPool::get_singleton()->wait_for_task_completion(task);
 	}
+	task = NONE;
 }
 
 int64_t Workers::start_group(void (*work)(void *, uint32_t), void *data, int count) {
@@ -47,10 +48,11 @@ bool Workers::is_group_over(int64_t group) {
 	return group == OVER || WorkerThreadPool::get_singleton()->is_group_task_completed(group);
 }
 
-void Workers::wait_for_group(int64_t group) {
-	if (group != OVER) {
+void Workers::wait_for_group(int64_t &group) {
+	if (group != NONE && group != OVER) {
 		WorkerThreadPool::get_singleton()->wait_for_group_task_completion(group);
 	}
+	group = NONE;
 }
 
 } // namespace undergrowth

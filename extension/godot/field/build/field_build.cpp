@@ -1,6 +1,5 @@
 #include "field/build/field_build.hpp"
 
-#include "base/workers.hpp"
 #include "field/view/field_fitting.hpp"
 
 #include <algorithm>
@@ -39,10 +38,7 @@ FieldBuild::~FieldBuild() {
 }
 
 void FieldBuild::wait() {
-	if (task >= 0) {
-		Workers::wait(task);
-		task = -1;
-	}
+	Workers::wait(task);
 }
 
 void FieldBuild::launch(Stage next) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/workers.hpp"
 #include "field/build/field_ground.hpp"
 #include "field/motion/prepared_motion.hpp"
 #include "field/view/batch_plans.hpp"
@@ -127,7 +128,7 @@ private:
 	std::atomic<float> done{ 0.0f };
 	std::atomic<Stage> stage{ Stage::fresh };
 	std::atomic<bool> is_cancelled{ false };
-	int64_t task = -1;
+	int64_t task = Workers::NONE;
 
 	static void work(void *self);
 	void launch(Stage next);

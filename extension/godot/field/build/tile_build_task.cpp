@@ -1,7 +1,5 @@
 #include "field/build/tile_build_task.hpp"
 
-#include "base/workers.hpp"
-
 #include <chrono>
 #include <utility>
 
@@ -22,10 +20,7 @@ TileBuildTask::TileBuildTask(
 }
 
 void TileBuildTask::wait() {
-	if (task >= 0) {
-		Workers::wait(task);
-		task = -1;
-	}
+	Workers::wait(task);
 }
 
 void TileBuildTask::wait_a_little(double usec) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/workers.hpp"
 #include "field/build/field_ground.hpp"
 #include "field/motion/field_motion.hpp"
 #include "field/view/batch_plans.hpp"
@@ -112,7 +113,7 @@ private:
 	std::atomic<Stage> stage{ Stage::fresh };
 	std::mutex stage_mutex;
 	std::condition_variable stage_ended; ///< Signals the end of a stage.
-	int64_t task = -1;
+	int64_t task = Workers::NONE;
 
 	static void work(void *self);
 	void launch(Stage next);

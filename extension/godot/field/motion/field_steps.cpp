@@ -1,7 +1,5 @@
 #include "field/motion/field_steps.hpp"
 
-#include "base/workers.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -122,10 +120,7 @@ void FieldSteps::wait() {
 	if (ticket.batch) {
 		is_inline = StepBatch::finish(ticket);
 	}
-	if (group >= 0) {
-		Workers::wait_for_group(group);
-		group = -1;
-	}
+	Workers::wait_for_group(group);
 	ended_usec = double(busy_nsec.load()) * 1e-3;
 }
 

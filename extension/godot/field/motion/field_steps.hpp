@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/workers.hpp"
 #include "field/contact.hpp"
 #include "field/field_simulation.hpp"
 #include "field/mean_lean.hpp"
@@ -31,7 +32,7 @@ public:
 	/// The part of it that ran on the main thread.
 	double inline_usec() const { return is_inline ? busy_usec() : 0.0; }
 	/// True between start() and wait().
-	bool is_running() const { return group >= 0 || ticket.batch; }
+	bool is_running() const { return group != Workers::NONE || ticket.batch; }
 	/// Runs a whole step on this thread. For StepBatch.
 	void run();
 
@@ -50,7 +51,7 @@ private:
 	std::atomic<int64_t> busy_nsec{ 0 };
 	double ended_usec = 0.0;
 	bool is_inline = false;
-	int64_t group = -1; ///< A group task of the engine's worker threads.
+	int64_t group = Workers::NONE; ///< A group task of the engine's worker threads.
 	StepBatch::Ticket ticket; ///< Of a small step.
 	bool is_divided = false;
 

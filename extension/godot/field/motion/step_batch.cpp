@@ -1,6 +1,5 @@
 #include "field/motion/step_batch.hpp"
 
-#include "base/workers.hpp"
 #include "field/motion/field_steps.hpp"
 #include "plants/plant_simulation.hpp"
 
@@ -33,11 +32,11 @@ bool StepBatch::is_idle() {
 	if (open > 0 || this == collected) {
 		return false;
 	}
-	if (group >= 0) {
+	if (group != Workers::NONE) {
 		if (!Workers::is_group_over(group)) {
 			return false;
 		}
-		Workers::wait_for_group(std::exchange(group, -1));
+		Workers::wait_for_group(group);
 	}
 	return true;
 }
@@ -134,9 +133,7 @@ void StepBatch::work(void *self, uint32_t) {
 
 void StepBatch::end_all() {
 	for (const std::unique_ptr<StepBatch> &batch : all_batches()) {
-		if (batch->group >= 0) {
-			Workers::wait_for_group(std::exchange(batch->group, -1));
-		}
+		Workers::wait_for_group(batch->group);
 	}
 }
 

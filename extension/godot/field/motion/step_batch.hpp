@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/workers.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -44,7 +46,7 @@ private:
 	size_t open = 0; ///< Number of tickets that are not finished.
 	int64_t cost = 0;
 	std::atomic<size_t> next{ 0 }; ///< Next slot for a thread.
-	int64_t group = -1; ///< A group task of the engine's worker threads.
+	int64_t group = Workers::NONE; ///< A group task of the engine's worker threads.
 
 	static StepBatch *find_idle();
 	bool is_idle();
