@@ -87,6 +87,7 @@ struct StemStep {
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope; ///< As in StemConstants.
 	StemAlong dead_along, air_along; ///< The same.
+	StemNod nod; ///< Twice that of StemConstants.
 	float max_force; ///< N: `max_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
 	float max_place = MAX_STEM_AMPLITUDE;
@@ -111,8 +112,7 @@ struct StemPage {
 	StemStep step;
 };
 
-/// Weight of water and snow on the stems of a species. Without it they rest as their species says, since a rest
-/// direction contains the bend under a stem's own weight.
+/// Weight of water and snow on the stems of a species, besides their own (StemNod).
 struct StemWeight {
 	float slope = 0.0f; ///< Linear slope of the tip of a level stem of the species' length (slope_of_load()).
 	/// Direction in which the weight acts, relative to that of the tip: StemConstants::axial_share.

@@ -277,25 +277,39 @@ bool MotionPage::find_calm_bends(
 	return true;
 }
 
-/// Plants from `begin` on that are at rest and do not move begin with the bend of their load.
+glm::vec2 MotionPage::nod(const StemPage &page, int row) {
+	const glm::vec2 rest(page.rest_x[row], page.rest_z[row]);
+	const float lean = 2.0f / (1.0f + glm::dot(rest, rest));
+	const float scale = page.scale[row] * (page.air_ease ? page.air_ease[row] : 1.0f);
+	return rest * (0.5f * scale * lean * (page.step.nod.share + lean * page.step.nod.change));
+}
+
+/// Plants from `begin` on that do not move and are straight, or have the bend of their own weight alone, begin with the
+/// bend under all weights.
 void MotionPage::settle_under_weight(int begin) {
 	constexpr int TRIES = 64;
 	constexpr float MAX_ROUNDING = 1e-3f; // Of bends as half floats.
-	if (weight.is_none()) {
+	const bool nods = kind.law == Law::stem && max_lean > 0.0f && kind.stem.nod.share != 0.0f;
+	if (!is_swinging || (weight.is_none() && !nods)) {
 		return;
 	}
 	const KernelSet &set = kernels(best_simd_level());
 	float share[MAX_STEM_MODES];
 	write_shares(kind.stem, share);
+	const StemPage page = stem_page(0);
 	for (int row = begin; row < size(); row++) {
 		StemState state = stem(row);
-		const bool is_still = glm::length(tip_bend(kind.stem, state)) < MAX_ROUNDING &&
+		const glm::vec2 own = nod(page, row);
+		const glm::vec2 tip = tip_bend(kind.stem, state);
+		const bool is_still = std::min(glm::length(tip), glm::length(tip - own)) < MAX_ROUNDING &&
 				glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;
-		for (int i = 0; is_still && i < TRIES; i++) {
-			glm::vec2 bend;
-			set.weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
+		for (int i = 0; is_still && i < (weight.is_none() ? 1 : TRIES); i++) {
+			glm::vec2 bend(0.0f);
+			if (!weight.is_none()) {
+				set.weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
+			}
 			for (int k = 0; k < kind.stem.modes; k++) {
-				state.place[k] = share[k] * bend;
+				state.place[k] = share[k] * (bend + own);
 			}
 			put_stem(row, state);
 		}

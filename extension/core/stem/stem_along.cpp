@@ -1,6 +1,7 @@
 #include "stem/stem_along.hpp"
 
 #include "base/portable_math.hpp"
+#include "conventions.hpp"
 #include "stem/stem_bones.hpp"
 #include "stem/stem_shape.hpp"
 
@@ -16,6 +17,7 @@ namespace {
 constexpr double COSINE = 0.8191520442889918; // Of a lean of 35° against the wind.
 constexpr double SINE = -0.5735764363510461;
 constexpr double SLOPES[2] = { 1.0, 4.0 };
+constexpr double NODS[2] = { PI / 9.0, PI / 3.0 }; // Leans.
 constexpr int LOADS_BETWEEN = 4; // A chain settles from the bend of a smaller load.
 constexpr float MAX_SHARE = 1.5f;
 constexpr float MAX_EASE = 1.0f;
@@ -81,7 +83,7 @@ template <class Settle, class ShareAt> StemAlong fitted(const Settle &settle, co
 // At rest tan θ = across/(1 + along).
 StemAlong along_of_newtons(const StemChain &chain, const StemConstants &stem) {
 	const auto settle = [&](double slope, StemChain::Angles &angles) {
-		chain.settle_dead(slope / static_cast<double>(stem.dead_slope), angles, { COSINE, SINE });
+		chain.settle_dead(slope / static_cast<double>(stem.dead_slope), angles, { COSINE, SINE, false });
 	};
 	return fitted(settle, [&](double slope, const glm::dvec2 &tip) {
 		const double bend = nearest_bend(stem, &StemMode::dead_share, tip);
@@ -94,7 +96,7 @@ StemAlong along_of_newtons(const StemChain &chain, const StemConstants &stem) {
 StemAlong along_of_air(const StemChain &chain, const StemConstants &stem) {
 	const StemConstants bent = in_air(stem);
 	const auto settle = [&](double slope, StemChain::Angles &angles) {
-		chain.settle_air(slope / static_cast<double>(stem.air_slope), angles, { COSINE, SINE });
+		chain.settle_air(slope / static_cast<double>(stem.air_slope), angles, { COSINE, SINE, false });
 	};
 	return fitted(settle, [&](double slope, const glm::dvec2 &tip) {
 		const double bend = nearest_bend(bent, &StemMode::air_share, tip);
@@ -102,6 +104,25 @@ StemAlong along_of_air(const StemChain &chain, const StemConstants &stem) {
 		const double cosine = (1.0 - bend * bend) / (1.0 + bend * bend);
 		return (COSINE * cosine - std::sqrt(sine / slope)) / (SINE * sine);
 	});
+}
+
+// The force across a stem is like the sine of its lean: r·u with the stereographic image r.
+StemNod nod_of(const StemChain &chain, const StemConstants &stem) {
+	double cosines[2];
+	double factors[2];
+	StemChain::Angles angles = {};
+	for (int i = 0; i < 2; i++) {
+		const double lean = NODS[i];
+		cosines[i] = portable_cos(lean);
+		const double sine = portable_sin(lean);
+		chain.settle_dead(0.0, angles, { cosines[i], sine, true });
+		factors[i] = nearest_bend(stem, &StemMode::dead_share, tip_of(angles)) / sine;
+	}
+	const double change = (factors[0] - factors[1]) / (cosines[0] - cosines[1]);
+	StemNod nod;
+	nod.change = static_cast<float>(change);
+	nod.share = static_cast<float>(factors[0] - change * (1.0 + cosines[0]));
+	return nod;
 }
 
 } // namespace undergrowth

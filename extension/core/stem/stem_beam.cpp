@@ -217,6 +217,7 @@ void Solver::write_shapes() {
 	write_terms(air.x5, constants.air_shape[0] + 1, 2);
 	constants.dead_along = along_of_newtons(chain, constants);
 	constants.air_along = along_of_air(chain, constants);
+	constants.nod = nod_of(chain, constants);
 }
 
 void Solver::write_chords() {

@@ -37,8 +37,13 @@ double compliance(const StemLine &line, double from, double to) {
 	return sum;
 }
 
-/// Of a link at `angle` from the foot's direction, from upright.
-StemChain::Lean turned(const StemChain::Lean &lean, double angle) {
+/// Cosine and sine of an angle from upright.
+struct Direction {
+	double across, along;
+};
+
+/// Of a link at `angle` from the foot's direction.
+Direction turned(const StemChain::Lean &lean, double angle) {
 	const double cosine = portable_cos(angle);
 	const double sine = portable_sin(angle);
 	return { lean.cosine * cosine - lean.sine * sine, lean.sine * cosine + lean.cosine * sine };
@@ -91,12 +96,13 @@ double StemChain::turn(Angles &angles, const Angles &moments, const Angles &diag
 }
 
 void StemChain::settle_dead(double newtons, Angles &angles, const Lean &lean) const {
+	const double balanced = lean.nods ? 0.0 : lean.sine;
 	Angles moments;
 	Angles diagonal;
 	for (int n = 0; n < MAX_ITERATIONS; n++) {
 		for (int i = 0; i < LINKS; i++) {
 			const auto [across, along] = turned(lean, angles[i]);
-			moments[i] = newtons * dead[i] * across + weight[i] * (along - lean.sine) + elastic(angles, i);
+			moments[i] = newtons * dead[i] * across + weight[i] * (along - balanced) + elastic(angles, i);
 			diagonal[i] = newtons * dead[i] * along - weight[i] * across;
 		}
 		if (turn(angles, moments, diagonal) < SETTLED) {
@@ -108,6 +114,7 @@ void StemChain::settle_dead(double newtons, Angles &angles, const Lean &lean) co
 // The pressure on a link depends only on that link's turns, so three sums represent everything above a link. The
 // derivative treats the links as if they turned one by one. This is stable and nearly as fast as the full one.
 void StemChain::settle_air(double speed_squared, Angles &angles, const Lean &lean) const {
+	const double balanced = lean.nods ? 0.0 : lean.sine;
 	Angles moments;
 	Angles diagonal;
 	for (int n = 0; n < MAX_ITERATIONS; n++) {
@@ -121,7 +128,7 @@ void StemChain::settle_air(double speed_squared, Angles &angles, const Lean &lea
 			const double own = press * air[i];
 			const double reach = length * H;
 			moments[i] = reach * (sideways * across - upward * along + 0.5 * own) + head * (reach + head_centre) +
-					weight[i] * (along - lean.sine) + elastic(angles, i);
+					weight[i] * (along - balanced) + elastic(angles, i);
 			softer += speed_squared * (air[i] + (i == LINKS - 1 ? head_air : 0.0)) * std::fabs(2.0 * across * along);
 			diagonal[i] = reach * (std::max(sideways * along + upward * across, 0.0) + softer) - weight[i] * across;
 			sideways += (own + head) * across;

@@ -29,6 +29,13 @@ struct StemAlong {
 	float ease = 0.0f;
 };
 
+/// Bend of the tip of a leaning stem under its own weight, with the lean's stereographic image r (motion/bend_encoding.hpp)
+/// and u = 1 + cos(lean): r·u·(share + change·u), in the frame of the rest direction.
+struct StemNod {
+	float share = 0.0f;
+	float change = 0.0f;
+};
+
 /// One oscillator of a stem, with the amplitude q (a vector in the horizontal plane, without unit). Half the deflection
 /// (m) at the distance s from the root is q·φ(s). The bend along the stem is q·ψ(x) with ψ = dφ/ds; |ψ| is at most 1,
 /// and ψ is positive at the tip. Energies are 2·mass·|v|² and 2·stiffness·|q|².
@@ -69,6 +76,8 @@ struct StemConstants {
 	float axial_share = 1.0f; ///< Effect of a small load along the stem, relative to one across it.
 	StemAlong dead_along; ///< The same for a wind force of any size.
 	StemAlong air_along; ///< For a wind in m/s.
+	/// Of stems of `length`; that of others is scaled as `air_slope` is. Zero: rest directions contain the bend.
+	StemNod nod;
 	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(n·X3 + n²·X5), t = Σ_k q_k·tip_slope and
 	/// n = min(|t|², 1), because no steady wind bends a tip below level. shape[j] has the four coefficients of
 	/// x^(j+1), x from 0 at the root to 1 at the tip.
@@ -87,7 +96,7 @@ struct StemConstants {
 
 	bool operator==(const StemConstants &other) const {
 		static_assert(sizeof(StemConstants) ==
-						4 * (16 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
+						4 * (18 + 12 * MAX_STEM_MODES + 6 * STEM_SHAPE_TERMS) +
 								4 * (MAX_STEM_JOINTS + 1) * MAX_STEM_MODES,
 				"no padding, so bytes say whether all numbers are the same");
 		return std::memcmp(this, &other, sizeof(StemConstants)) == 0;

@@ -20,7 +20,9 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr double TIP_TOLERANCE = 0.02; // Of the length, between a tip and a chain of links.
+// Of the length, between a tip and a chain of links.
+constexpr double TIP_TOLERANCE = 0.01;
+constexpr double MAX_LOAD_TOLERANCE = 0.05; // Under 2.4 kg/m² on a lean of 0.6, where tips come near to level.
 constexpr double PERIOD_TOLERANCE = 0.02; // Relative.
 constexpr float BEND_TOLERANCE = 1e-3f;
 
@@ -82,12 +84,13 @@ TEST_CASE("water and snow bend leaning stems as they bend a chain of links") {
 	for (const double head : { 0.0, 1.0 }) {
 		const StemBeam beam = leafy_stem(head);
 		const StemSolution solution = solve_stem(beam);
-		double worst = 0.0;
+		double worst[2] = {}; // Under the greatest load, and under the others.
 		for (const double lean : { 0.1, 0.3, 0.6 }) {
 			for (const Precipitation load : { Precipitation{ 1.0f, 0.0f }, { 0.0f, 0.5f }, { 1.0f, 1.0f } }) {
 				FieldSimulation field = still_field(solution.constants, { leaning(beam.length, lean) }, load);
 				run(field, 20.0);
 				SteadyChain chain(beam, solution.youngs_modulus);
+				chain.lean(lean, true);
 				const double mass =
 						static_cast<double>(WATER_PER_DRAG_AREA * load.wetness + SNOW_PER_DRAG_AREA * load.snow);
 				for (const double share : { 0.25, 0.5, 0.75, 1.0 }) {
@@ -98,12 +101,16 @@ TEST_CASE("water and snow bend leaning stems as they bend a chain of links") {
 						at_rest.y * std::cos(lean) - at_rest.x * std::sin(lean));
 				const glm::vec3 arm = field.page(0).arm(0, 1.0f) / beam.length;
 				const double error = glm::length(glm::dvec2(arm.x, arm.y) - expected);
-				worst = std::max(worst, error);
+				double &so_far = worst[mass > 2.0 ? 0 : 1];
+				so_far = std::max(so_far, error);
 			}
 		}
-		CHECK(worst < TIP_TOLERANCE);
-		figures::record_error(
-				figures::STEMS, "tip of a leaning stem under water and snow, of its length", TIP_TOLERANCE, worst);
+		CHECK(worst[0] < MAX_LOAD_TOLERANCE);
+		CHECK(worst[1] < TIP_TOLERANCE);
+		figures::record_error(figures::STEMS, "tip of a leaning stem under all water and snow, of its length",
+				MAX_LOAD_TOLERANCE, worst[0]);
+		figures::record_error(figures::STEMS, "tip of a leaning stem under water or half the snow, of its length",
+				TIP_TOLERANCE, worst[1]);
 	}
 }
 
@@ -168,13 +175,14 @@ TEST_CASE("leaning stems rise when they dry") {
 	const StemConstants stem = solve_stem(leafy_stem(0.5)).constants;
 	FieldSimulation field = still_field(stem, { leaning(0.6f, 0.0), leaning(0.6f, 0.3) }, {});
 	run(field, 1.0);
+	const double dry = lean_of(field, 1);
 	rain(field, { 1.0f, 0.0f });
 	run(field, 20.0);
 	CHECK(lean_of(field, 0) == doctest::Approx(0.0));
-	CHECK(lean_of(field, 1) > 0.31);
+	CHECK(lean_of(field, 1) > dry + 0.01);
 	rain(field, {});
 	run(field, 20.0);
-	CHECK(lean_of(field, 1) == doctest::Approx(0.3).epsilon(BEND_TOLERANCE));
+	CHECK(lean_of(field, 1) == doctest::Approx(dry).epsilon(BEND_TOLERANCE));
 }
 
 TEST_CASE("more snow bends stems further, and less wind is needed to bend them") {
@@ -288,4 +296,45 @@ TEST_CASE("loaded stems have the same bits at each level and for each division i
 	const uint64_t whole = hash_of(0, 700, SimdLevel::baseline);
 	CHECK(hash_of(0, 700, best_simd_level()) == whole);
 	CHECK(hash_of(100, 600, best_simd_level()) == whole);
+}
+
+TEST_CASE("plants begin with the bend of their own weight, taller ones with their own") {
+	StemBeam beam = leafy_stem(0.5);
+	beam.natural_frequency = 0.0f;
+	beam.youngs_modulus = static_cast<float>(solve_stem(leafy_stem(0.5)).youngs_modulus);
+	const StemConstants stem = solve_stem(beam).constants;
+	FieldSimulation field = still_field(stem, { leaning(0.6f, 0.3), leaning(0.48f, 0.3), leaning(0.6f, 0.0) }, {});
+	const double calm[3] = { lean_of(field, 0), lean_of(field, 1), lean_of(field, 2) };
+	CHECK(calm[0] > 0.33);
+	CHECK(calm[1] > 0.31);
+	CHECK(calm[1] < 0.3 + 0.7 * (calm[0] - 0.3));
+	CHECK(calm[2] == doctest::Approx(0.0));
+	run(field, 20.0);
+	for (int i = 0; i < 3; i++) {
+		CHECK(lean_of(field, i) == doctest::Approx(calm[i]).epsilon(BEND_TOLERANCE));
+	}
+	field.settle();
+	CHECK(lean_of(field, 0) == doctest::Approx(calm[0]).epsilon(BEND_TOLERANCE));
+}
+
+TEST_CASE("followers of prototypes nod like them") {
+	FieldSettings settings;
+	settings.prototypes = 8;
+	FieldSimulation field(settings);
+	MotionSpecies species = species_of(Law::stem);
+	species.stem = solve_stem(leafy_stem(0.5)).constants;
+	species.lean = 0.3f;
+	const MotionPlant plant = leaning(0.6f, 0.3);
+	field.add_page(field.add_species(species), &plant, 1);
+	FieldWind still;
+	still.wind = { WindKind::constant, 0.0f };
+	field.set_wind(still);
+	const auto lean_of_chord = [&] {
+		const glm::vec3 tip = field.shown_point(0, 0, 1.0f, 1.0f);
+		return std::atan2(glm::length(glm::vec2(tip.x, tip.z)), tip.y);
+	};
+	const float calm = lean_of_chord();
+	CHECK(calm > 0.31f);
+	run(field, 10.0);
+	CHECK(lean_of_chord() == doctest::Approx(calm).epsilon(BEND_TOLERANCE));
 }

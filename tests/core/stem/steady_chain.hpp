@@ -24,11 +24,12 @@ public:
 			sideways(links, 0.0),
 			upward(links, 0.0) {}
 
-	/// Turns the foot by `angle` (rad) from upright, with the wind. At rest the stem is straight under its own weight.
-	/// Angles and places are then from the foot's direction.
-	void lean(double angle) {
+	/// Turns the foot by `angle` (rad) from upright, with the wind. At rest the stem is straight under its own weight,
+	/// or nods if it is straight without it. Angles and places are then from the foot's direction.
+	void lean(double angle, bool nods = false) {
 		cosine = std::cos(angle);
 		sine = std::sin(angle);
+		balanced = nods ? 0.0 : sine;
 	}
 
 	/// Equilibrium under `newtons`, distributed as the drag area.
@@ -108,6 +109,7 @@ private:
 	double head_upward = 0.0;
 	double cosine = 1.0; // Of the foot's lean.
 	double sine = 0.0;
+	double balanced = 0.0; ///< Sine of the lean whose weight is balanced at rest.
 
 	double width(double link) const { return beam.diameter * (1.0 - beam.taper * link / count); }
 
@@ -160,7 +162,7 @@ private:
 				const double across = std::cos(angles[i]);
 				const double along = std::sin(angles[i]);
 				moment[i] =
-						x * across - y * along - heavy * sine - joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
+						x * across - y * along - heavy * balanced - joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
 				pivot[i] = x * along + y * across + joint(i);
 				if (i < count - 1) {
 					moment[i] += joint(i + 1) * (angles[i + 1] - angles[i]);

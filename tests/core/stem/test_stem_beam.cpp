@@ -229,5 +229,5 @@ TEST_CASE("the constants of a stem have the same bits everywhere") {
 			hash.add(&solution.constants, 1).add(solution.frequencies, 2).add(&solution.youngs_modulus, 1);
 		}
 	}
-	CHECK(hash.value() == 5328666797287938257ull);
+	CHECK(hash.value() == 2857533288784831709ull);
 }
