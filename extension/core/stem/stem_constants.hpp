@@ -29,8 +29,8 @@ struct StemAlong {
 	float ease = 0.0f;
 };
 
-/// Bend of the tip of a leaning stem under its own weight, with the lean's stereographic image r (motion/bend_encoding.hpp)
-/// and u = 1 + cos(lean): r·u·(share + change·u), in the frame of the rest direction.
+/// Bend of the tip of a leaning stem under its own weight, with the lean's stereographic image r
+/// (motion/bend_encoding.hpp) and u = 1 + cos(lean): r·u·(share + change·u), in the frame of the rest direction.
 struct StemNod {
 	float share = 0.0f;
 	float change = 0.0f;

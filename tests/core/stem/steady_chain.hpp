@@ -161,8 +161,8 @@ private:
 				const double y = h * (up + 0.5 * upward[i]) + arm * head_upward - heavy * cosine;
 				const double across = std::cos(angles[i]);
 				const double along = std::sin(angles[i]);
-				moment[i] =
-						x * across - y * along - heavy * balanced - joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
+				moment[i] = x * across - y * along - heavy * balanced -
+						joint(i) * (angles[i] - (i > 0 ? angles[i - 1] : 0.0));
 				pivot[i] = x * along + y * across + joint(i);
 				if (i < count - 1) {
 					moment[i] += joint(i + 1) * (angles[i + 1] - angles[i]);
