@@ -85,7 +85,7 @@ func _sway() -> void:
 	for panel in current_scene.find_children("WindPanel", "PanelContainer", true, false):
 		panel.set(&"shows_frame_rate", false)
 	await RenderingServer.frame_post_draw
-	RenderingServer.render_loop_enabled = false
+	_draw(false)
 	var fields := current_scene.find_children("*", "PlantField3D", true, false)
 	if _options["fine"] == "yes":
 		for panel in current_scene.find_children("PicturePanel", "PanelContainer", true, false):
@@ -97,10 +97,17 @@ func _sway() -> void:
 
 ## Lets [param count] frames pass without drawing them.
 func _pass(count: int) -> void:
-	RenderingServer.render_loop_enabled = false
+	_draw(false)
 	for _frame in count:
 		await process_frame
-	RenderingServer.render_loop_enabled = true
+	_draw(true)
+
+
+## Without a render loop, Forward+ still draws each frame in which buffers change, so the 3D view is
+## disabled, too.
+func _draw(is_drawn: bool) -> void:
+	RenderingServer.render_loop_enabled = is_drawn
+	root.disable_3d = not is_drawn
 
 
 ## So small, panels hide the plants and can't be read.

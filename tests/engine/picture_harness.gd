@@ -94,12 +94,11 @@ func make_reed() -> PlantFunction:
 	return species
 
 
-## Draws nothing while it waits: each frame takes longer than the build's part of it.
+## Draws no stage while it waits: each frame would take longer than the build's part of it.
 func settled(field: PlantField3D) -> void:
-	var is_drawn := RenderingServer.render_loop_enabled
-	RenderingServer.render_loop_enabled = false
+	_draw_stage(false)
 	await super(field)
-	RenderingServer.render_loop_enabled = is_drawn
+	_draw_stage(true)
 
 
 ## Waits as in all tests, but draws the stage in the last frames only. In software that takes most

@@ -76,6 +76,26 @@ func test_plants_below_a_rotor_keep_moving() -> void:
 	check(high.x - low.x > 0.02 and high.z - low.z > 0.02, "its tip moves by %s" % (high - low))
 
 
+func test_the_air_of_a_rotor_presses_stems_down() -> void:
+	var rotor := _add_source(PlantWindSource3D.KIND_FAN, Vector3(0, 5, 0))
+	rotor.thrust = 200.0
+	var grass: PlantFunction = load("res://addons/undergrowth/species/meadow_grass.tres")
+	var plants: Array[Plant3D] = []
+	for i in 8:
+		plants.append(_add_plant(Vector3(0.3, 0, 0).rotated(Vector3.UP, i * TAU / 8.0)))
+		plants[-1].species = grass
+	await frames(240)
+	var lowest := INF
+	var sum := 0.0
+	for i in 240:
+		await frames(1)
+		for plant in plants:
+			sum += plant.get_tip_position().y / (240.0 * plants.size())
+			lowest = minf(lowest, plant.get_tip_position().y)
+	check(sum < 0.4, "mean height of the tips of plants of 0.8 m: %.2f" % sum)
+	check(lowest > -0.01, "no tip is below the ground: %.3f" % lowest)
+
+
 func test_a_body_above_the_roots_stirs_tall_plants() -> void:
 	var plant := _add_plant(Vector3(0.5, 0, 0))
 	var tips: Array[float] = []

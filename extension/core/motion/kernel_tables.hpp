@@ -54,6 +54,7 @@ inline constexpr float MAX_GNOMONIC = 1e3f;
 /// tip's.
 struct PlantAir {
 	const float *x = nullptr;
+	const float *y = nullptr; ///< Upward; null: level air. The laws of one joint do not use it.
 	const float *z = nullptr;
 	const float *lengths = nullptr; ///< m.
 	float drag = 0.0f; ///< kg/m.
@@ -94,6 +95,7 @@ struct StemStep {
 	float max_load = 1e4f; ///< Linear slope of the tip: 0.006 degrees from along the wind.
 	float max_wind = 150.0f; ///< m/s.
 	float min_hold = 1e-3f; ///< Of 1 and the load along the stem.
+	float max_eased = 2.0f; ///< Linear slope of the tip up to which StemAlong::ease holds for air that comes down.
 	float one = 1.0f;
 };
 

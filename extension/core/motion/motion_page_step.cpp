@@ -375,9 +375,10 @@ void MotionPage::step(const WindSnapshot &wind, const PlantWinds &along, SimdLev
 		const int count = std::min(BlockWind::PLANTS, size() - begin);
 		over.sample(begin, count, block);
 		const PlantWinds winds = { block.has_newtons ? block.strengths : nullptr, along.x, along.z };
-		PlantAir air = { nullptr, nullptr, lengths() + begin, drag, slowing, 1.0f / step_time };
+		PlantAir air = { nullptr, nullptr, nullptr, lengths() + begin, drag, slowing, 1.0f / step_time };
 		if (block.has_air) {
 			air.x = block.x;
+			air.y = block.is_pressed ? block.y : nullptr;
 			air.z = block.z;
 		}
 		step_block(set, begin, count, winds, air);

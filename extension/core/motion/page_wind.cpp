@@ -22,6 +22,7 @@ void make_air(const PlantWinds &along, float drag, int count, float *strengths, 
 void PageWind::sample(int begin, int count, BlockWind &block) const {
 	const float *root_x = x + begin;
 	const float *root_z = z + begin;
+	block.is_pressed = false;
 	block.has_air = wind.is_air || is_stirred;
 	block.has_newtons = !wind.is_air && (has_stems || !is_stirred);
 	if (wind.is_air) {
@@ -45,7 +46,9 @@ void PageWind::sample(int begin, int count, BlockWind &block) const {
 		std::copy(block.strengths, block.strengths + count, block.x);
 		make_air(along, drag, count, block.x, block.z);
 	}
-	add_sources(wind.sources, low, high, root_x, y + begin, root_z, lengths + begin, count, block.x, block.z);
+	std::fill(block.y, block.y + count, 0.0f);
+	add_sources(wind.sources, low, high, root_x, y + begin, root_z, lengths + begin, count, block.x, block.y, block.z);
+	block.is_pressed = std::any_of(block.y, block.y + count, [](float up) { return up != 0.0f; });
 	if (is_carried) {
 		subtract_drift(begin, count, block);
 	}

@@ -16,9 +16,11 @@ struct BlockWind {
 
 	float strengths[PLANTS]; ///< N.
 	float x[PLANTS]; ///< m/s.
+	float y[PLANTS]; ///< Only with `is_pressed`.
 	float z[PLANTS];
 	bool has_newtons = true;
 	bool has_air = false;
+	bool is_pressed = false; ///< True: air moves up or down, too.
 };
 
 /// The wind of one step at the plants of a page.

@@ -33,7 +33,7 @@ float draught_in(float speed) {
 
 static void add_sources_at(const WindSnapshot &wind, float length, const glm::vec3 &root, glm::vec2 &velocity) {
 	add_sources(wind.sources, root, root + glm::vec3(0.0f, length, 0.0f), &root.x, &root.y, &root.z, &length, 1,
-			&velocity.x, &velocity.y);
+			&velocity.x, nullptr, &velocity.y);
 }
 
 glm::vec2 air_at(const WindSnapshot &wind, const PlantWinds &along, float canopy_height, const TallerPlants &taller,

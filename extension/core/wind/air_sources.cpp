@@ -20,6 +20,7 @@ constexpr float FAN_SPREAD = 1.3f;
 constexpr float FAN_FADES = 8.0f; // Of its spread radii: it fades from here
 constexpr float FAN_ENDS = 16.0f; // to here.
 constexpr float FREE_DIAMETERS = 6.0f;
+constexpr float DRAG_HEIGHT = 0.75f; // Of a plant.
 constexpr float FLOW_RADII = 6.0f; // A five-hundredth of the body's speed remains.
 constexpr float WAKE_MEMORY = 4.0f; // s.
 constexpr float WAKE_SHARE = 0.6f;
@@ -63,7 +64,8 @@ glm::vec3 eddies_at(float x, float z, float far, float turns) {
 	return glm::vec3(along_x, 0.0f, along_z) * OVER_DEVIATION;
 }
 
-glm::vec3 fan_at(const AirSource &source, const glm::vec3 &away) {
+/// `height`: m, of a plant.
+glm::vec3 fan_at(const AirSource &source, const glm::vec3 &away, float height) {
 	const glm::vec3 flat = { away.x, 0.0f, away.z };
 	const float distance = glm::length(flat);
 	const float x = distance / (FAN_SPREAD * source.radius);
@@ -76,7 +78,9 @@ glm::vec3 fan_at(const AirSource &source, const glm::vec3 &away) {
 	const float arrived = free / std::max(source.height, free);
 	const float fastest = 2.0f * source.speed * kept * kept * arrived;
 	const float speed = fastest * 2.0f * x / (1.0f + x * x);
-	const glm::vec3 mean = distance > 0.0f ? flat * (speed / distance) : glm::vec3(0.0f);
+	glm::vec3 mean = distance > 0.0f ? flat * (speed / distance) : glm::vec3(0.0f);
+	const float narrowed = FAN_SPREAD * source.radius * (1.0f + x * x) * (1.0f + x * x);
+	mean.y = -fastest * std::min(4.0f * DRAG_HEIGHT * height / narrowed, 1.0f);
 	if (source.unrest <= 0.0f) {
 		return mean;
 	}
@@ -109,6 +113,7 @@ glm::vec3 wake_at(const AirSource &source, const glm::vec3 &away) {
 			moved += source.velocity * (WAKE_SHARE * std::min(4.0f * end, 1.0f) / (root * root * narrow * narrow));
 		}
 	}
+	moved.y = 0.0f;
 	return moved;
 }
 
@@ -153,7 +158,7 @@ glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root, float heig
 		case AirSource::Kind::explosion:
 			return explosion_at(source, away);
 		case AirSource::Kind::fan:
-			return fan_at(source, away);
+			return fan_at(source, away, std::max(height, 0.0f) * source.scale);
 		case AirSource::Kind::wake:
 			break;
 	}
@@ -166,7 +171,7 @@ bool any_reaches(const AirSources &sources, const glm::vec3 &low, const glm::vec
 }
 
 void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high, const float *x, const float *y,
-		const float *z, const float *heights, int count, float *out_x, float *out_z) {
+		const float *z, const float *heights, int count, float *out_x, float *out_y, float *out_z) {
 	for (int k = 0; k < sources.count; k++) {
 		const AirSource &source = sources.all[k];
 		if (!reaches(source, low, high)) {
@@ -176,6 +181,9 @@ void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec
 			const glm::vec3 added = velocity_at(source, { x[i], y[i], z[i] }, heights[i]);
 			out_x[i] += sources.x_x * added.x + sources.z_x * added.z;
 			out_z[i] += sources.x_z * added.x + sources.z_z * added.z;
+			if (out_y) {
+				out_y[i] += added.y;
+			}
 		}
 	}
 }

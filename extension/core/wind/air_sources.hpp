@@ -8,14 +8,16 @@ namespace undergrowth {
 
 /// A local source of wind: an explosion, a fan or rotor above the ground, or the wake of a moving body. Positions are
 /// in the local axes of the plants, of which one unit is `scale` metres of the world. Velocities are metres per second
-/// along those axes. Only their horizontal part moves plants.
+/// along those axes. The vertical part of an explosion's or a fan's air presses stems that are bent.
 struct AirSource {
 	enum class Kind {
 		/// Outward, U·(1 - y)/((1 + (r/radius)²)·(1 + y²)²) with y = (age - r/front)/duration above 0: outward, then
 		/// weaker inward (Friedlander's wave without exponentials).
 		explosion,
 		/// Outward along the ground, 2·U·2x/(1 + x²) with x = r/(1.3·radius) (a jet on a wall); inversely
-		/// proportional to the height above six diameters. Eddies are added, also in the middle.
+		/// proportional to the height above six diameters. Eddies are added, also in the middle. By continuity the
+		/// air comes down with 2·U·4·h/(1.3·radius·(1 + x²)²), at most 2·U, to plants with three quarters of their
+		/// height at h.
 		fan,
 		/// Potential flow about a sphere, and behind it a wake that spreads as r^(1/3) and slows as r^(-2/3).
 		wake,
@@ -48,14 +50,14 @@ float reach_of(const AirSource &source);
 bool reaches(const AirSource &source, const glm::vec3 &low, const glm::vec3 &high);
 
 /// Velocity that the source adds to the wind at a plant of `height` (in the units of the axes): where the plant is at
-/// the height of the source, or else at its nearer end.
+/// the height of the source, or else at its nearer end. A wake's is horizontal.
 glm::vec3 velocity_at(const AirSource &source, const glm::vec3 &root, float height = 0.0f);
 
 /// True if any source reaches the box of roots.
 bool any_reaches(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high);
-/// Adds the velocities of all sources that reach the box to out_x and out_z of `count` plants in it, by their roots and
-/// heights.
+/// Adds the velocities of all sources that reach the box to out_x, out_y (or null) and out_z of `count` plants in it,
+/// by their roots and heights.
 void add_sources(const AirSources &sources, const glm::vec3 &low, const glm::vec3 &high, const float *x, const float *y,
-		const float *z, const float *heights, int count, float *out_x, float *out_z);
+		const float *z, const float *heights, int count, float *out_x, float *out_y, float *out_z);
 
 } // namespace undergrowth

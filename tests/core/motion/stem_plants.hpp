@@ -120,7 +120,10 @@ public:
 	void step(SimdLevel level = best_simd_level(), const glm::vec2 &along = { 1.0f, 0.0f }, int at_once = 512) {
 		for (int begin = 0; begin < count; begin += at_once) {
 			const PlantWinds winds = { has_newtons ? column(STRENGTH) + begin : nullptr, along.x, along.y };
-			const PlantAir air = { column(AIR) + begin, column(AIR + 1) + begin };
+			PlantAir air;
+			air.x = column(AIR) + begin;
+			air.y = is_pressed ? column(AIR + 2) + begin : nullptr;
+			air.z = column(AIR + 1) + begin;
 			kernels(level).step_stem(page(begin), std::min(at_once, count - begin), winds, has_air ? air : PlantAir{});
 		}
 	}
@@ -132,6 +135,11 @@ public:
 	}
 	void use_newtons(bool used) { has_newtons = used; }
 	void use_air(bool used) { has_air = used; }
+	/// Air that also moves up (m/s).
+	void press(int index, float up) {
+		column(AIR + 2)[index] = up;
+		is_pressed = true;
+	}
 	StemPage page(int begin = 0) {
 		StemPage made_page = {};
 		for (int k = 0; k < stem.modes; k++) {
@@ -167,7 +175,7 @@ public:
 	}
 
 private:
-	enum Column : int { REST = 8, SCALE = 10, STRENGTH, AIR, COLUMNS = AIR + 2 };
+	enum Column : int { REST = 8, SCALE = 10, STRENGTH, AIR, COLUMNS = AIR + 3 };
 
 	StemConstants stem;
 	int count;
@@ -176,6 +184,7 @@ private:
 	std::vector<float> values;
 	bool has_newtons = true;
 	bool has_air = false;
+	bool is_pressed = false;
 
 	float *column(int which) { return values.data() + static_cast<std::size_t>(which * count); }
 	const float *column(int which) const { return values.data() + static_cast<std::size_t>(which * count); }

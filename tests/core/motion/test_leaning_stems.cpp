@@ -38,13 +38,16 @@ std::vector<StemBeam> stems() {
 }
 
 /// Where the tip of a plant that leans by `lean` comes to rest in a wind towards x, in lengths and axes of its foot.
-glm::dvec2 rest_of(const StemConstants &stem, double lean, float newtons, float speed) {
+glm::dvec2 rest_of(const StemConstants &stem, double lean, float newtons, float speed, float down = 0.0f) {
 	StemPlants plants(stem, 1, STEP);
 	plants.set_rest(0, { static_cast<float>(std::tan(0.5 * lean)), 0.0f });
 	const glm::vec2 air(speed, 0.0f);
 	plants.apply_wind(newtons, &air);
 	plants.use_newtons(speed == 0.0f);
 	plants.use_air(speed > 0.0f);
+	if (down != 0.0f) {
+		plants.press(0, -down);
+	}
 	plants.run(60.0);
 	glm::vec2 amplitudes[MAX_STEM_MODES] = {};
 	for (int k = 0; k < stem.modes; k++) {
@@ -113,4 +116,43 @@ TEST_CASE("stems that lean against a wind in m/s come to rest as chains of 128 l
 TEST_CASE("stems that lean against a wind in newtons come to rest as chains of 128 links") {
 	check_tips(20.0, false, FORCE_TOLERANCE_20);
 	check_tips(40.0, false, FORCE_TOLERANCE_40);
+}
+
+TEST_CASE("air that comes down presses bent stems as it presses a chain of 128 links") {
+	constexpr double TOLERANCE = 0.025; // Of the length.
+	for (StemBeam beam : stems()) {
+		beam.damping_ratio = 0.7f;
+		const StemSolution solution = solve_stem(beam);
+		const StemConstants &stem = solution.constants;
+		const double unit = 1.0 / std::sqrt(static_cast<double>(stem.air_slope)); // A linear slope of 1.
+		for (const double degrees : { 0.0, 20.0 }) {
+			for (const glm::dvec2 wind :
+					{ glm::dvec2(0.4, 0.4), { 0.8, 0.4 }, { 0.8, 0.8 }, { 1.2, 0.6 }, { 0.8, -0.8 } }) {
+				SteadyChain chain(beam, solution.youngs_modulus);
+				chain.lean(degrees * DEGREE, true);
+				chain.settle_air(unit * wind.x, unit * wind.y);
+				const glm::dvec2 tip = rest_of(stem, degrees * DEGREE, 0.0f, static_cast<float>(unit * wind.x),
+						static_cast<float>(unit * wind.y));
+				const double error = glm::distance(tip, chain.place(1.0));
+				CAPTURE(degrees);
+				CAPTURE(wind.x);
+				CAPTURE(wind.y);
+				CHECK(error < TOLERANCE);
+				figures::record_error(
+						figures::STEMS, "tip of a stem in air that also comes down, of its length", TOLERANCE, error);
+			}
+		}
+	}
+}
+
+TEST_CASE("strong air that comes down lays bent stems, and leaves upright ones") {
+	for (StemBeam beam : stems()) {
+		beam.damping_ratio = 0.3f;
+		const StemConstants stem = solve_stem(beam).constants;
+		const float unit = 1.0f / std::sqrt(stem.air_slope);
+		for (const glm::vec2 wind : { glm::vec2(0.4f, 2.0f), { 0.4f, 4.0f }, { 1.0f, 3.0f } }) {
+			CHECK(rest_of(stem, 0.0, 0.0f, unit * wind.x, unit * wind.y).y < 0.7);
+		}
+		CHECK(rest_of(stem, 0.0, 0.0f, 1e-6f, 3.0f * unit).y > 0.99);
+	}
 }

@@ -18,8 +18,8 @@ namespace {
 constexpr float NONE = std::numeric_limits<float>::quiet_NaN();
 constexpr float INF = std::numeric_limits<float>::infinity();
 
-enum class Blowing { newtons, air, both };
-constexpr Blowing WINDS[] = { Blowing::newtons, Blowing::air, Blowing::both };
+enum class Blowing { newtons, air, both, downward };
+constexpr Blowing WINDS[] = { Blowing::newtons, Blowing::air, Blowing::both, Blowing::downward };
 
 /// Stems that are all different. If `leans` is false, all are upright.
 StemPlants meadow(int modes, int count, bool leans, double frequency = 1.5) {
@@ -47,6 +47,9 @@ void apply_wind(StemPlants &plants, int step, Blowing wind) {
 	}
 	plants.use_newtons(wind != Blowing::air);
 	plants.use_air(wind != Blowing::newtons);
+	for (int i = 0; i < plants.size() && wind == Blowing::downward; i++) {
+		plants.press(i, i % 3 == 0 ? 0.0f : -swell * (1.0f + noise(i, 3000 + step)));
+	}
 }
 
 bool is_fine(const StemPlants &plants) {
@@ -113,7 +116,7 @@ TEST_CASE("a step of stems allocates nothing") {
 	std::vector<float> numbers(1000, 1.0f);
 	const long before = allocation_count();
 	kernels(best_simd_level())
-			.step_stem(page, 1000, { numbers.data(), 1.0f, 0.0f }, { numbers.data(), numbers.data() });
+			.step_stem(page, 1000, { numbers.data(), 1.0f, 0.0f }, { numbers.data(), nullptr, numbers.data() });
 	CHECK(allocation_count() == before);
 }
 

@@ -43,15 +43,16 @@ public:
 		relax();
 	}
 
-	/// Equilibrium in air of `speed` (m/s), which presses across each link.
-	void settle_air(double speed) {
+	/// Equilibrium in air of `speed` (m/s), which presses across each link and also moves `down` (m/s).
+	void settle_air(double speed, double down = 0.0) {
+		wind = { speed, down };
 		constexpr double SHARE = 0.15; // Share of each correction that is applied; the whole one would oscillate.
 		for (int n = 0; n < 2000; n++) {
 			const std::vector<double> before = angles;
 			for (int i = 0; i < count; i++) {
-				press(angles[i], speed * speed * drag(i), sideways[i], upward[i]);
+				press(angles[i], drag(i), sideways[i], upward[i]);
 			}
-			press(angles[count - 1], speed * speed * head_drag(), head_sideways, head_upward);
+			press(angles[count - 1], head_drag(), head_sideways, head_upward);
 			relax();
 			double max = 0.0;
 			for (int i = 0; i < count; i++) {
@@ -107,6 +108,7 @@ private:
 	std::vector<double> upward;
 	double head_sideways = 0.0;
 	double head_upward = 0.0;
+	glm::dvec2 wind = { 0.0, 0.0 };
 	double cosine = 1.0; // Of the foot's lean.
 	double sine = 0.0;
 	double balanced = 0.0; ///< Sine of the lean whose weight is balanced at rest.
@@ -137,9 +139,11 @@ private:
 		return modulus * 0.0490873852 * d * d * d * d / (link == 0 ? 0.5 * h : h);
 	}
 
-	void press(double angle, double force, double &aside, double &up) const {
-		const double seen = cosine * std::cos(angle) - sine * std::sin(angle);
-		const double across = force * std::abs(seen) * seen;
+	void press(double angle, double air, double &aside, double &up) const {
+		const glm::dvec2 way(
+				cosine * std::cos(angle) - sine * std::sin(angle), sine * std::cos(angle) + cosine * std::sin(angle));
+		const double seen = glm::dot(wind, way);
+		const double across = air * std::abs(seen) * seen;
 		aside = across * std::cos(angle);
 		up = -across * std::sin(angle);
 	}

@@ -90,6 +90,26 @@ TEST_CASE("a fan's jet ends smoothly at sixteen of its radii, at any height") {
 	}
 }
 
+TEST_CASE("a fan's air comes down as much as it runs outward") {
+	constexpr double STEP = 1e-3; // m.
+	AirSource source = source_of(AirSource::Kind::fan);
+	const float height = 0.2f;
+	for (const double distance : { 0.0, 1.0, 2.6, 6.0, 15.0 }) {
+		const auto outward = [&](double x, double z) {
+			const glm::vec3 way(static_cast<float>(x), -1.0f, static_cast<float>(z));
+			return glm::dvec3(velocity_at(source, source.place + way, height));
+		};
+		const double apart = (outward(distance + STEP, 0.0).x - outward(distance - STEP, 0.0).x +
+									 outward(distance, STEP).z - outward(distance, -STEP).z) /
+				(2.0 * STEP);
+		const double down = outward(distance, 0.0).y;
+		CHECK(down == doctest::Approx(-0.75 * 0.2 * apart).epsilon(0.01).scale(1.0));
+	}
+	const glm::vec3 below = source.place - glm::vec3(0.0f, 1.0f, 0.0f);
+	CHECK(velocity_at(source, below, 30.0f).y == -80.0f);
+	CHECK(velocity_at(source, below, 0.0f).y == 0.0f);
+}
+
 TEST_CASE("a fan's eddies move plants in the middle of its jet, too, and leave the mean as it is") {
 	AirSource source = source_of(AirSource::Kind::fan);
 	const AirSource steady = source;
@@ -134,7 +154,7 @@ TEST_CASE("a source acts on a plant at its own height, and on its nearer end abo
 	float x = 0.0f, z = 0.0f;
 	source.place.y = 0.9f;
 	const AirSources all = { &source, 1 };
-	add_sources(all, root, root, &root.x, &root.y, &root.z, &height, 1, &x, &z);
+	add_sources(all, root, root, &root.x, &root.y, &root.z, &height, 1, &x, nullptr, &z);
 	CHECK(z == velocity_at(source, root, height).z);
 }
 
@@ -146,7 +166,7 @@ TEST_CASE("velocities of sources turn with the axes of plants") {
 	const float c = std::cos(0.6f), s = std::sin(0.6f), height = 0.0f;
 	float x = 1.0f, z = 2.0f;
 	const AirSources turned = { &source, 1, c, s, -s, c };
-	add_sources(turned, root, root, &root.x, &root.y, &root.z, &height, 1, &x, &z);
+	add_sources(turned, root, root, &root.x, &root.y, &root.z, &height, 1, &x, nullptr, &z);
 	CHECK(x == doctest::Approx(1.0f + c * in_world.x - s * in_world.z));
 	CHECK(z == doctest::Approx(2.0f + s * in_world.x + c * in_world.z));
 }
