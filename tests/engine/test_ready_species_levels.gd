@@ -11,7 +11,7 @@ const MIN_SPECIES := 27
 const NEAREST := 0.5  # m: levels that end nearer are not used.
 const NEAREST_CARDS := 0.549  # m.
 const CLOSE_CARDS: Array[String] = ["common_reed", "male_fern"]
-const FINEST := 36  # Segments.
+const FINEST := 33  # Segments.
 const MAX_DENSE_ERROR := 5.0  # Pixels, at the density of Add as Field.
 ## The same of species whose coarse forms are the least exact.
 const MAX_DENSE_ERRORS: Dictionary[String, float] = {
@@ -53,8 +53,8 @@ func test_levels_begin_where_their_outline_is_within_two_pixels() -> void:
 			check(ends[i - 1] >= NEAREST, "%s" % listed)
 
 
-## Holes and teeth of a few texels are seen in the cards of the nearest plants. Plumes and fronds have
-## too many parts.
+## Holes and teeth of a few texels are seen in the cards of the nearest plants. Plumes and fronds
+## have too many parts.
 func test_the_nearest_plants_are_geometry() -> void:
 	var all: Array[PlantFunction] = []
 	for file in DirAccess.get_files_at(FOLDER):
