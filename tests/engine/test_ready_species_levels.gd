@@ -9,6 +9,9 @@ const MAX_ERROR := 2.0  # Pixels.
 const ROUNDING := 1.01
 const MIN_SPECIES := 27
 const NEAREST := 0.5  # m: levels that end nearer are not used.
+const NEAREST_CARDS := 0.549  # m.
+const CLOSE_CARDS: Array[String] = ["common_reed", "male_fern"]
+const FINEST := 33  # Segments.
 const MAX_DENSE_ERROR := 5.0  # Pixels, at the density of Add as Field.
 ## The same of species whose coarse forms are the least exact.
 const MAX_DENSE_ERRORS: Dictionary[String, float] = {
@@ -48,6 +51,35 @@ func test_levels_begin_where_their_outline_is_within_two_pixels() -> void:
 			var pixels := errors[i] * PIXELS_OF_RADIAN / ends[i - 1]
 			check(pixels <= MAX_ERROR * ROUNDING, "%.2f px at level %d: %s" % [pixels, i, listed])
 			check(ends[i - 1] >= NEAREST, "%s" % listed)
+
+
+## Holes and teeth of a few texels are seen in the cards of the nearest plants. Plumes and fronds
+## have too many parts.
+func test_the_nearest_plants_are_geometry() -> void:
+	var all: Array[PlantFunction] = []
+	for file in DirAccess.get_files_at(FOLDER):
+		if file.get_extension() == "tres" and not file.get_basename() in CLOSE_CARDS:
+			all.append(load(FOLDER + file))
+	field = PlantField3D.from_species(all)
+	field.density = 0.2
+	field.simulation_enabled = false
+	await start()
+	for listed: Dictionary in field.get_statistics()["levels"]:
+		_check_nearest(listed)
+	field.free()
+	field = FieldDefaults.make_field(load(FOLDER + "yarrow.tres") as PlantFunction)
+	field.simulation_enabled = false
+	await start()
+	var yarrow: Dictionary = field.get_statistics()["levels"][0]
+	_check_nearest(yarrow)
+	check(yarrow["segments"][0] == FINEST, "florets of yarrow have rays: %s" % yarrow)
+
+
+func _check_nearest(listed: Dictionary) -> void:
+	check(not listed["are_carded"][0], "%s" % listed)
+	for i in range(1, listed["ends"].size()):
+		if listed["are_carded"][i]:
+			check(listed["ends"][i - 1] >= NEAREST_CARDS, "%s" % listed)
 
 
 ## A field of many plants changes its levels nearer, because its triangles are limited.

@@ -30,6 +30,8 @@ constexpr int MIDRIB_POINTS = 3;
 struct Candidate {
 	int carriers = 0;
 	int parts = 0; ///< With all that they carry.
+	int petals =
+			0; ///< The same, where each lobe of an open tube counts: a bell is five petals that have grown together.
 	int direct = 0;
 	float low = 1.0f; ///< Offsets.
 	float high = 0.0f;
@@ -44,6 +46,10 @@ const PlacedPart &part_at(const PlantForm &form, int index) {
 	return form.placed[static_cast<size_t>(index)];
 }
 
+int petals_of(const Part &part) {
+	return part.kind == PartKind::axis && part.axis.open_tip ? std::max(part.axis.lobes, 1) : 1;
+}
+
 std::map<Key, Candidate> list_candidates(const PlantForm &form) {
 	std::map<Key, Candidate> all;
 	std::map<int, CardAxis> axes;
@@ -53,6 +59,7 @@ std::map<Key, Candidate> list_candidates(const PlantForm &form) {
 			const PlacedPart &carrier = part_at(form, part->carrier);
 			Candidate &own = all[{ carrier.kind, part->kind }];
 			own.parts++;
+			own.petals += petals_of(form.parts[static_cast<size_t>(form.placed[i].kind)]);
 			own.size += form.placed[i].length * form.placed[i].width;
 			if (is_direct) {
 				own.direct++;
@@ -79,10 +86,11 @@ bool is_flat(const Candidate &own) {
 	return own.parts >= MIN_PARTS * own.carriers && own.high - own.low >= MIN_FLAT_SPAN && is_in_plane(own);
 }
 
-/// True if a single axis at the tip continues its carrier, like the rachis of an ear.
+/// True if a single axis at the tip continues its carrier, like the rachis of an ear. A bell with lobes does not.
 bool continues(const PlantForm &form, const Key &key, const Candidate &own) {
-	return own.direct == own.carriers && own.low > TIP &&
-			form.parts[static_cast<size_t>(key.second)].kind == PartKind::axis && own.parts > own.direct;
+	const Part &part = form.parts[static_cast<size_t>(key.second)];
+	return own.direct == own.carriers && own.low > TIP && part.kind == PartKind::axis && !part.axis.open_tip &&
+			own.parts > own.direct;
 }
 
 /// Returns the kinds of flat parts on carriers of a kind, or those of the heads at their tips.
@@ -92,7 +100,7 @@ std::vector<int> kinds_on(const PlantForm &form, const std::map<Key, Candidate> 
 			[&](const auto &one) { return one.first.second == carrier && continues(form, one.first, one.second); });
 	std::vector<int> kinds;
 	for (const auto &[key, own] : all) {
-		const bool is_of_head = (own.low > TIP || is_ear) && own.parts >= MIN_HEAD_PARTS * own.carriers &&
+		const bool is_of_head = (own.low > TIP || is_ear) && own.petals >= MIN_HEAD_PARTS * own.carriers &&
 				!continues(form, key, own) && !is_flat(own);
 		if (key.first == carrier && (is_head ? is_of_head : is_flat(own))) {
 			kinds.push_back(key.second);
@@ -228,13 +236,15 @@ std::vector<CardGroup> find_card_groups(const PlantForm &form) {
 		for (const bool is_head : { false, true }) {
 			for (CardGroup &group : split_by_carriers(form, kind, kinds_on(form, all, kind, is_head))) {
 				int parts = 0;
+				int petals = 0;
 				float size = 0.0f;
 				for (const int carried : group.carried) {
 					const Candidate &own = all.at({ kind, carried });
 					parts += own.parts / std::max(own.carriers, 1);
+					petals += own.petals / std::max(own.carriers, 1);
 					size += own.size;
 				}
-				if (parts < (is_head ? MIN_HEAD_PARTS : MIN_PARTS)) {
+				if (is_head ? petals < MIN_HEAD_PARTS : parts < MIN_PARTS) {
 					continue;
 				}
 				const bool is_leaf = std::all_of(group.carried.begin(), group.carried.end(),

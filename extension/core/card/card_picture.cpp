@@ -32,12 +32,22 @@ struct Corner {
 	float x, y, depth;
 };
 
-/// A triangle in the plane of the card (m), with the means of its corners.
+/// A triangle in the plane of the card (m).
 struct CardTriangle {
 	Corner corners[3];
-	glm::vec3 light;
+	glm::vec3 lights[3]; ///< By corner.
 	glm::vec2 normal;
 	float leafiness;
+
+	glm::vec3 light_at(const glm::vec2 &point) const {
+		const glm::vec2 one(corners[1].x - corners[0].x, corners[1].y - corners[0].y);
+		const glm::vec2 other(corners[2].x - corners[0].x, corners[2].y - corners[0].y);
+		const glm::vec2 from(point.x - corners[0].x, point.y - corners[0].y);
+		const float twice = one.x * other.y - other.x * one.y;
+		const float b = std::clamp((from.x * other.y - other.x * from.y) / twice, 0.0f, 1.0f);
+		const float c = std::clamp((one.x * from.y - from.x * one.y) / twice, 0.0f, 1.0f - b);
+		return lights[0] * (1.0f - b - c) + lights[1] * b + lights[2] * c;
+	}
 };
 
 /// The normal of the side that the camera sees, without its part towards the camera.
@@ -49,6 +59,62 @@ glm::vec2 normal_of(const Corner &a, const Corner &b, const Corner &c) {
 	const float scale = length > 0.0f ? (normal.z < 0.0f ? -1.0f : 1.0f) / length : 0.0f;
 	return { normal.x * scale, normal.y * scale };
 }
+
+Corner middle_of(const CardTriangle &triangle) {
+	const Corner(&c)[3] = triangle.corners;
+	return { (c[0].x + c[1].x + c[2].x) / 3.0f, (c[0].y + c[1].y + c[2].y) / 3.0f,
+		(c[0].depth + c[1].depth + c[2].depth) / 3.0f };
+}
+
+/// How much triangles cover from above, by place across the axis. Interpolated: a wall of few triangles shades evenly.
+class ShadeGrid {
+public:
+	explicit ShadeGrid(float p_reach) :
+			reach(p_reach),
+			cell(2.0f * p_reach / SHADE_CELLS),
+			covered(static_cast<size_t>((SHADE_CELLS + 1) * (SHADE_CELLS + 1)), 0.0f) {}
+
+	void add(const CardTriangle &triangle) {
+		const Corner(&c)[3] = triangle.corners;
+		const float twice =
+				(c[1].x - c[0].x) * (c[2].depth - c[0].depth) - (c[2].x - c[0].x) * (c[1].depth - c[0].depth);
+		const float area = 0.5f * std::abs(twice) / (cell * cell);
+		const Place place = place_of(middle_of(triangle));
+		for (size_t i = 0; i < 4; i++) {
+			covered[place.at(i)] += area * place.weight(i);
+		}
+	}
+
+	float at(const Corner &point) const {
+		const Place place = place_of(point);
+		float sum = 0.0f;
+		for (size_t i = 0; i < 4; i++) {
+			sum += covered[place.at(i)] * place.weight(i);
+		}
+		return sum;
+	}
+
+private:
+	/// Four neighbours in the grid, and the way between them.
+	struct Place {
+		size_t column, row;
+		float x, y;
+
+		size_t at(size_t i) const { return (row + i / 2) * (SHADE_CELLS + 1) + column + i % 2; }
+		float weight(size_t i) const { return (i % 2 ? x : 1.0f - x) * (i / 2 ? y : 1.0f - y); }
+	};
+	const float reach;
+	const float cell;
+	std::vector<float> covered;
+
+	Place place_of(const Corner &point) const {
+		const float across = std::clamp((point.x + reach) / cell, 0.0f, SHADE_CELLS - 1e-3f);
+		const float deep = std::clamp((point.depth + reach) / cell, 0.0f, SHADE_CELLS - 1e-3f);
+		const size_t column = static_cast<size_t>(across);
+		const size_t row = static_cast<size_t>(deep);
+		return { column, row, across - static_cast<float>(column), deep - static_cast<float>(row) };
+	}
+};
 
 /// All parts of a card at full detail, flattened.
 class FlatParts {
@@ -75,12 +141,11 @@ public:
 		}
 		for (size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
 			CardTriangle triangle;
-			triangle.light = glm::vec3(0.0f);
 			for (size_t k = 0; k < 3; k++) {
 				const size_t at = static_cast<size_t>(shape.indices[i + k]);
 				const glm::vec4 &color = shape.vertices[at].color;
 				triangle.corners[k] = corners[at];
-				triangle.light += glm::vec3(to_light(color.x), to_light(color.y), to_light(color.z)) * (1.0f / 3.0f);
+				triangle.lights[k] = glm::vec3(to_light(color.x), to_light(color.y), to_light(color.z));
 			}
 			triangle.leafiness = part.translucency;
 			triangles.push_back(triangle);
@@ -130,22 +195,17 @@ public:
 		std::iota(from_above.begin(), from_above.end(), size_t(0));
 		std::stable_sort(from_above.begin(), from_above.end(),
 				[&](size_t a, size_t b) { return middle_of(triangles[a]).y > middle_of(triangles[b]).y; });
-		const float cell = 2.0f * reach / SHADE_CELLS;
-		std::vector<float> covered(static_cast<size_t>(SHADE_CELLS) * static_cast<size_t>(SHADE_CELLS), 0.0f);
-		const auto place = [&](float value) {
-			return static_cast<size_t>(std::clamp(static_cast<int>((value + reach) / cell), 0, SHADE_CELLS - 1));
-		};
-		const auto cell_of = [&](const Corner &middle) { return place(middle.depth) * SHADE_CELLS + place(middle.x); };
+		ShadeGrid covered(reach);
 		size_t next = 0; // The highest one that is not above others yet: a petal does not shade itself.
 		for (const size_t i : from_above) {
 			const Corner middle = middle_of(triangles[i]);
 			for (; middle_of(triangles[from_above[next]]).y > middle.y + MIN_RISE * reach; next++) {
-				const Corner(&c)[3] = triangles[from_above[next]].corners;
-				const float twice =
-						(c[1].x - c[0].x) * (c[2].depth - c[0].depth) - (c[2].x - c[0].x) * (c[1].depth - c[0].depth);
-				covered[cell_of(middle_of(triangles[from_above[next]]))] += 0.5f * std::abs(twice) / (cell * cell);
+				covered.add(triangles[from_above[next]]);
 			}
-			triangles[i].light *= 1.0f - MAX_SHADE * std::min(covered[cell_of(middle)], 1.0f);
+			for (int k = 0; k < 3; k++) {
+				const float share = std::min(covered.at(triangles[i].corners[k]), 1.0f);
+				triangles[i].lights[k] *= 1.0f - MAX_SHADE * share;
+			}
 		}
 	}
 
@@ -155,12 +215,6 @@ private:
 	const PlantForm &form;
 	const CardAxis &axis;
 	std::map<int, PartTemplate> shapes; ///< By kind.
-
-	static Corner middle_of(const CardTriangle &triangle) {
-		const Corner(&c)[3] = triangle.corners;
-		return { (c[0].x + c[1].x + c[2].x) / 3.0f, (c[0].y + c[1].y + c[2].y) / 3.0f,
-			(c[0].depth + c[1].depth + c[2].depth) / 3.0f };
-	}
 
 	PartTemplate make(const PlacedPart &placed, const Part &part) const {
 		return make_part_template(part, form.midrib_of(placed), details_of(part, true).front(), mean_color(part));
@@ -202,6 +256,11 @@ public:
 			}
 		}
 	}
+	/// Centre of a sample, in the plane of the card (m).
+	glm::vec2 point_of(int row, int column) const {
+		return { (static_cast<float>(column) + 0.5f) / static_cast<float>(columns) * 2.0f * box.half - box.half,
+			box.high - (static_cast<float>(row) + 0.5f) / static_cast<float>(rows) * (box.high - box.low) };
+	}
 	int front(int row, int column, float &depth) const {
 		const size_t at = static_cast<size_t>(row) * static_cast<size_t>(columns) + static_cast<size_t>(column);
 		depth = depths[at];
@@ -242,10 +301,12 @@ CardTexel resolve(const Samples &samples, const std::vector<CardTriangle> &trian
 	int covered = 0;
 	for (int i = 0; i < SAMPLES * SAMPLES; i++) {
 		float depth;
-		const int front = samples.front(SAMPLES * row + i / SAMPLES, SAMPLES * column + i % SAMPLES, depth);
+		const int sample_row = SAMPLES * row + i / SAMPLES;
+		const int sample_column = SAMPLES * column + i % SAMPLES;
+		const int front = samples.front(sample_row, sample_column, depth);
 		if (front >= 0) {
 			const CardTriangle &triangle = triangles[static_cast<size_t>(front)];
-			texel.light += triangle.light;
+			texel.light += triangle.light_at(samples.point_of(sample_row, sample_column));
 			texel.normal += triangle.normal;
 			texel.leafiness += triangle.leafiness;
 			texel.depth += depth;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 using namespace godot;
@@ -24,6 +25,7 @@ static constexpr float MIN_MARGIN = 1e-3f; // m.
 // Pixels per radian in the middle of a picture of 1080 lines with a vertical angle of view of 75°.
 static constexpr float PIXELS_OF_RADIAN = 703.7f;
 static constexpr float NEAREST = 0.5f; // m: a level that ends nearer is not used.
+static constexpr float NEAREST_CARDS = 0.55f; // m.
 static constexpr float MAX_SHARE_OF_NEXT = 0.7f; // Largest begin of a level, as a share of its end.
 // The same for solid levels after one with cards that begin nearer than SOLID_SEEN_END (m). Their forms visibly differ.
 static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.5f;
@@ -53,6 +55,8 @@ static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
 static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
 static constexpr float MAX_COARSENING = 64.0f;
 static constexpr float COARSENED_FROM = 1.5f; // m.
+static constexpr float MAX_COARSENING_OF_SOLID =
+		2.0f; // Beyond it, the nearest plants of a dense field have cards, too.
 
 // Distances (m) at which levels of plants without parts begin, by segments.
 static float lathe_begin(int segments) {
@@ -77,11 +81,29 @@ static bool shows_bodies_late(const FieldRenderSetup &setup, const SpeciesStyle 
 			setup.levels[level].lod < MIN_SEGMENTS_OF_BODIES;
 }
 
+// The nearest distance (m) of a level with cards: its texels are as large as the allowed error, and solid plants are
+// nearer.
+static float begin_of_cards(const LevelRule &rule, const SpeciesStyle &style) {
+	const float sharp = style.texel * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error;
+	return std::max(sharp, NEAREST_CARDS);
+}
+
+// Errors of the levels that may be the first one. The one with the smallest error is, because a form may be worse than
+// a coarser one.
+static std::vector<float> errors_of_first(const SpeciesStyle &style, bool is_solid) {
+	std::vector<float> errors = style.errors;
+	for (size_t i = 0; i < style.are_carded.size() && is_solid; i++) {
+		errors[i] = style.are_carded[i] ? std::numeric_limits<float>::max() : errors[i];
+	}
+	return errors;
+}
+
 // Begins of all levels (m), ascending. From COARSENED_FROM on the error may be `coarser` times as large: equal errors
 // at all distances are the smallest ones for a number of triangles. Nearer plants are few, and keep more of their
 // forms.
 static std::vector<float> begins_of(const FieldRenderSetup &setup, const SpeciesStyle &style, float coarser) {
 	const LevelRule &rule = setup.rule;
+	const bool is_first_solid = coarser <= MAX_COARSENING_OF_SOLID && !style.are_carded.empty() && !style.are_carded[0];
 	std::vector<float> begins;
 	for (size_t i = 0; i < setup.levels.size(); i++) {
 		const bool has_error = i < style.errors.size();
@@ -89,17 +111,19 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
 				: lathe_begin(setup.levels[i].lod);
 		const float factor = 1.0f + (coarser - 1.0f) * std::min(own / COARSENED_FROM, 1.0f);
-		const float least = shows_bodies_late(setup, style, i) ? BODIES_SEEN_END : 0.0f;
+		const bool is_carded = is_first_solid && style.are_carded[i];
+		const float least = shows_bodies_late(setup, style, i) ? BODIES_SEEN_END
+				: is_carded									   ? begin_of_cards(rule, style)
+															   : 0.0f;
 		begins.push_back(i == 0 ? 0.0f : std::max(own / factor, least) * rule.lod_bias);
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
 		begins[i] = std::min(begins[i], begins[i + 1]);
 	}
-	// A form may be worse than a coarser one, which is used in its place.
-	const auto best = std::min_element(style.errors.begin(), style.errors.end());
-	std::fill(begins.begin(), begins.begin() + (best - style.errors.begin()), 0.0f);
-	if (best != style.errors.end()) {
-		begins[size_t(best - style.errors.begin())] = 0.0f;
+	const std::vector<float> errors = errors_of_first(style, is_first_solid);
+	const auto best = std::min_element(errors.begin(), errors.end()) - errors.begin();
+	if (!errors.empty()) {
+		std::fill(begins.begin(), begins.begin() + best + 1, 0.0f);
 	}
 	return begins;
 }
@@ -225,7 +249,9 @@ static float triangles_in_view(
 			const float from = std::max(level.begin - level.margin, 0.0f);
 			const float nearer = level.is_near ? ground_in_view(setup.rule, style, true, from) : 0.0f;
 			const float drawn = ground_in_view(setup.rule, style, level.is_near, level.end) - nearer;
-			sum += style.density * share * style.triangles_at(i) * drawn;
+			const bool is_closest = i == 0 && style.closest > 0;
+			const float triangles = is_closest ? style.usual_triangles : style.triangles_at(i);
+			sum += style.density * share * triangles * drawn;
 		}
 	}
 	return sum;

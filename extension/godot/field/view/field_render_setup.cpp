@@ -24,6 +24,9 @@ FieldRenderSetup outline_of(const FieldRenderSetup &setup) {
 		some.levels = style.levels;
 		some.errors = style.errors;
 		some.triangles = style.triangles;
+		some.texel = style.texel;
+		some.closest = style.closest;
+		some.usual_triangles = style.usual_triangles;
 		some.are_carded = style.are_carded;
 		some.have_bodies = style.have_bodies;
 		some.density = style.density;

@@ -27,13 +27,20 @@ static constexpr float BODY_SHARE = 2.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
 static constexpr float SHARPEST = 0.0018f; // m, as an error: nearer, parts are seen to be flat.
 static constexpr float MIN_CARD_GAIN = 0.85f;
+static constexpr int CLOSEST_SEGMENTS = 33; // Of the first level of plants of many parts,
+static constexpr int MANY_PARTS = 64; // which need more than the vertices of this number of segments.
+static constexpr float MAX_CLOSEST_ERROR = 0.004f; // m: plumes and fronds that this form cannot show stay on cards.
+static constexpr float MAX_CLOSEST_DENSITY = 50.0f; // Plants/m²: this form may exceed the number of triangles in view.
 
 static int64_t variant_seed(int64_t seed, int variant) {
 	return int64_t(mix_bits(uint64_t(seed) ^ mix_bits(uint64_t(variant))) >> 1);
 }
 
 int SpeciesStyle::segments_at(const FieldLevel &level) const {
-	return is_by_error ? level.lod : std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
+	if (!is_by_error) {
+		return std::clamp(int(std::lround(detail * level.lod)), MIN_LOD, MAX_LOD);
+	}
+	return closest > 0 && level.lod == levels.front().lod ? closest : level.lod;
 }
 
 Ref<Material> SpeciesStyle::drawn_material(const Ref<Material> &material_override) const {
@@ -164,6 +171,30 @@ void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelEr
 	triangles[level] = are_carded[level] ? float(looks.triangles) : triangles[level];
 }
 
+// The nearest plants are geometry, because holes and teeth of a few texels are seen there. Plants of more parts than
+// the usual first form can show get a finer one where they are not many.
+void SpeciesStyle::measure_closest(float solid_triangles, std::vector<std::optional<LevelError>> &outlines) {
+	const bool has_many = std::any_of(
+			samples[0].begin(), samples[0].begin() + std::ptrdiff_t(outlines.size()), [](const SampledPlant &sampled) {
+				const GrownPlant &grown = *sampled.grown;
+				return plan_form(grown.form, grown.measure(), vertex_budget(MANY_PARTS)).is_cut;
+			});
+	closest = has_many && density <= MAX_CLOSEST_DENSITY ? CLOSEST_SEGMENTS : 0;
+	const LevelLooks looks = measure_level(0, false, outlines);
+	if (looks.error > MAX_CLOSEST_ERROR) {
+		closest = 0;
+		return;
+	}
+	for (SampledPlant &sampled : samples[0]) {
+		sampled.lod = segments_at(levels[0]);
+	}
+	are_carded[0] = false;
+	errors[0] = looks.error;
+	usual_triangles = solid_triangles;
+	triangles[0] = float(looks.triangles);
+	have_bodies[0] = looks.has_bodies;
+}
+
 void SpeciesStyle::measure() {
 	if (!is_by_error || samples.empty()) {
 		return;
@@ -184,7 +215,11 @@ void SpeciesStyle::measure() {
 		if (has_cards && is_offered) {
 			measure_cards(level, outlines, solid.has_bodies);
 		}
+		if (level == 0 && are_carded[0]) {
+			measure_closest(float(solid.triangles), outlines);
+		}
 	}
+	texel = has_cards ? texel_of(cards->sheet()) : 0.0f;
 	for (size_t level = 0; level < samples.size(); level++) {
 		for (SampledPlant &sampled : samples[level]) {
 			sampled.cards = are_carded[level] ? cards : nullptr;

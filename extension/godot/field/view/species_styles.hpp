@@ -56,6 +56,9 @@ struct SpeciesStyle {
 	std::vector<bool> are_carded; ///< By level: drawn with cards. Empty: none.
 	std::vector<bool> have_bodies; ///< By level: solid, with bodies in place of open parts. Empty: none.
 	std::vector<float> errors; ///< m, by level, of the outline; empty if its levels are not chosen by error.
+	float texel = 0.0f; ///< Size of the largest texel of its cards (m).
+	int closest = 0; ///< Segments of the first level in place of those of the field; 0: the same.
+	float usual_triangles = 0.0f; ///< Of the first level with the segments of the field, if `closest` is set.
 	std::vector<float> triangles; ///< By level, of a mesh; empty as `errors`, and for models.
 	std::vector<FieldVariant> variants;
 	std::vector<std::vector<SampledPlant>> samples; ///< By level and group; freed when the meshes are built.
@@ -174,6 +177,7 @@ private:
 	void build_meshes();
 	void measure_models();
 	void find_sources();
+	void measure_closest(float solid_triangles, std::vector<std::optional<LevelError>> &outlines);
 	LevelLooks measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
 	void measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies);
 	void leave_unused();
