@@ -48,6 +48,16 @@ func test_surfaces_of_models_keep_their_light() -> void:
 	await _check("ORM with occlusion", orm)
 
 
+func test_normal_maps_of_models_keep_their_depth() -> void:
+	turn_lights(Vector3(deg_to_rad(-40.0), deg_to_rad(70.0), 0.0))
+	var bumpy := _material()
+	bumpy.normal_enabled = true
+	bumpy.normal_texture = _checks(Color(0.9, 0.5, 0.7), Color(0.5, 0.2, 0.8))
+	await _check("normal map", bumpy)
+	bumpy.normal_scale = 0.3
+	await _check("less deep", bumpy)
+
+
 func test_textures_of_models_keep_their_place() -> void:
 	var placed := _material()
 	placed.albedo_texture = _checks(Color.RED, Color.BLUE)
