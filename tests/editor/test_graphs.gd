@@ -7,6 +7,7 @@ const ForceGraph := preload("res://addons/undergrowth/editor/widgets/force_graph
 const OrbitCamera := preload("res://addons/undergrowth/editor/inspector/orbit_camera.gd")
 const PlantGroup := preload("res://addons/undergrowth/editor/widgets/plant_group.gd")
 const PreviewOverlay := preload("res://addons/undergrowth/editor/inspector/preview_overlay.gd")
+const ProfilePlot := preload("res://addons/undergrowth/editor/widgets/profile_plot.gd")
 const ProfilePoints := preload("res://addons/undergrowth/editor/widgets/profile_points.gd")
 const WindMap := preload("res://addons/undergrowth/editor/widgets/wind_map.gd")
 const WindSpectrum := preload("res://addons/undergrowth/editor/widgets/wind_spectrum.gd")
@@ -124,6 +125,26 @@ func test_points_of_a_width_curve_are_where_they_are_drawn() -> void:
 	check_equal(points._find_point(Vector2(52, 31)), 0, "the point under the pointer")
 	check_equal(points._find_point(Vector2(100, 20)), -1, "no point there")
 	points.free()
+
+
+func test_an_outline_has_the_widths_of_its_species_without_steps() -> void:
+	var plot := ProfilePlot.new()
+	var function := CurvePlantFunction.new()
+	function.width_curve = Curve.new()
+	function.width_curve.add_point(Vector2(0.0, 1.0))
+	function.width_curve.add_point(Vector2(1.0, 0.0))
+	plot.setup(function, EditorInterface.get_editor_undo_redo())
+	var area := Rect2(10, 20, 128, 40)
+	for i in ProfilePlot.SAMPLES:
+		var piece := plot.get_piece(i, area)
+		check_near(piece[0].x, 10.0 + 2.0 * i, "left end")
+		var width := function.calculate_curve_point(float(i) / ProfilePlot.SAMPLES)
+		check_near(piece[3].y - piece[0].y, 40.0 * width, "width at %d" % i)
+		check_near(piece[0].y + piece[3].y, 80.0, "about the middle")
+		if i + 1 < ProfilePlot.SAMPLES:
+			var next := plot.get_piece(i + 1, area)
+			check_equal([piece[1], piece[2]], [next[0], next[3]], "no step at %d" % (i + 1))
+	plot.free()
 
 
 func test_an_orbit_camera_turns_with_the_pointer_and_zooms_with_the_wheel() -> void:
