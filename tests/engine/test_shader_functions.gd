@@ -283,6 +283,19 @@ func test_green_leaves_die_and_petals_do_not() -> void:
 	check_near(petal[63], 0.6, 0.001, "a petal")
 
 
+func test_grain_of_ground_fades_where_a_pixel_covers_it() -> void:
+	var file := "../grounds/undergrowth_ground"
+	var head := ""
+	for include: String in ["leaf", "light", "patches", "precipitation", "wind"]:
+		head += '#include "res://addons/undergrowth/shaders/undergrowth_%s.gdshaderinc"\n' % include
+	var code := "undergrowth_grain(vec2(10.0 * x, 3.0), %s)"
+	var far := await _values(file, code % "0.1, 0.2", {}, head)
+	for i: int in [3, 20, 50]:
+		check_near(far[i], 0.5, 0.001, "a pixel of two cells")
+	var near := Array(await _values(file, code % "2.0, 0.1", {}, head))
+	check(near.max() - near.min() > 0.2, "cells of many pixels: %f" % (near.max() - near.min()))
+
+
 func _pack(direction: Vector3) -> int:
 	var sum := absf(direction.x) + absf(direction.y) + absf(direction.z)
 	var at := Vector2(direction.x, direction.y) / sum
