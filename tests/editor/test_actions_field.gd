@@ -43,6 +43,24 @@ func test_assign_leaves_the_wind_of_a_field() -> void:
 	await undo()
 
 
+func test_assign_to_a_plant_and_a_field_changes_both_in_one_step() -> void:
+	var field := await _open_field()
+	var root := EditorInterface.get_edited_scene_root()
+	var plant := Plant3D.new()
+	plant.species = GrassFunction.new()
+	root.add_child(plant)
+	plant.owner = root
+	_select([plant, field])
+	await _choose("Reed")
+	await _use("Assign")
+	check(plant.species is ReedFunction, "the plant is of the species")
+	check_equal(field.species.size(), 2, "species of the field")
+	check_equal(_message(), "Reed grows in what is selected now.", "the message")
+	await undo()
+	check(plant.species is GrassFunction, "the plant after undo")
+	check_equal(field.species.size(), 1, "species of the field after undo")
+
+
 func test_add_as_field_is_one_step() -> void:
 	await _open_field()
 	var root := EditorInterface.get_edited_scene_root()

@@ -201,5 +201,19 @@ func test_wind_is_saved() -> void:
 	EditorInterface.get_resource_filesystem().scan()
 
 
+func test_saving_over_a_wind_changes_it_where_it_is_used() -> void:
+	await _open_scene()
+	var before := PlantWind.new()
+	check_equal(ResourceSaver.save(before, WIND_FILE), OK, "saving a wind for the test")
+	var used := load(WIND_FILE) as PlantWind
+	_wind().speed = 13.5
+	_wind().rain = 4.0
+	wind_part("WindActions").call(&"save", WIND_FILE)
+	check_equal([used.speed, used.rain], [13.5, 4.0], "the wind that was loaded before")
+	check(load(WIND_FILE) == used, "it is that of the file")
+	DirAccess.remove_absolute(ProjectSettings.globalize_path(WIND_FILE))
+	EditorInterface.get_resource_filesystem().scan()
+
+
 func _degrees() -> float:
 	return snappedf(rad_to_deg(_wind().direction), 0.001)

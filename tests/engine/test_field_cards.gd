@@ -55,6 +55,26 @@ func test_cards_show_parts_that_only_some_plants_have() -> void:
 	check(_carded(0).count(1) >= 1, "half of the grass has no panicle: %s" % [_carded(0)])
 
 
+func test_cards_show_the_plant_with_most_kinds_of_parts() -> void:
+	# Of the plants whose parts cards can show, the last one has neither leaves nor flowers.
+	var yarrow := (load(YARROW) as PlantFunction).duplicate(true) as PlantFunction
+	yarrow.has_stem = false
+	var parts := yarrow.arrangements
+	for arrangement in parts:
+		arrangement.count = Vector2i(0, 1)
+	var blade := PlantBlade.of({length = Vector2(0.1, 0.1), width = 0.01})
+	parts.append(PlantArrangement.of({part = blade, layout = PlantArrangement.LAYOUT_GROUND}))
+	for i in 5:
+		var other := PlantBlade.of({length = Vector2(0.1, 0.1), width = 0.01 + 0.001 * i})
+		parts.append(PlantArrangement.of({part = other, count = Vector2i(0, 1), layout = 3}))
+	yarrow.arrangements = parts
+	field.free()
+	field = PlantField3D.from_species([yarrow])
+	field.density = 0.5
+	await start()
+	check(_carded(0).count(1) >= 1, "cards of yarrow: %s" % [_carded(0)])
+
+
 func test_cards_need_fewer_vertices_for_the_same_error() -> void:
 	await start()
 	var with_cards := _error_at(8)

@@ -57,8 +57,14 @@ func test_measured_species_need_no_drafts() -> void:
 
 func test_build_now_leaves_no_drafts() -> void:
 	root.add_child(field)
+	var drafts: Array[int] = [0]
+	field.build_progressed.connect(
+		func(_share: float) -> void:
+			drafts[0] += int(field.get_plant_count() > 0 and not _has_final_levels())
+	)
 	check(field.build_now(), "is built")
 	check(_has_final_levels(), "levels %s" % [_segments()])
+	check_equal(drafts[0], 0, "reports of drafts")
 	field.free()
 	field = _make_field(SIDE, _unmeasured_species())
 	await _show_drafts()

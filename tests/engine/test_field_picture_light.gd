@@ -100,6 +100,16 @@ func test_leaves_have_veins_that_fade() -> void:
 			check(left < 0.6 * seen, "veins %d: %.3f far away, %.3f near" % [kind, left, seen])
 
 
+func test_dead_broad_leaves_are_greener_than_dead_blades() -> void:
+	var greens: Array[float] = []
+	for kind: float in [1.0, 2.0]:
+		var leaf := _show(_leaf(Color(0.4, 0.6, 0.2), kind), {dead_leaves = 1.0})
+		var shown := _mean_color(await picture())
+		greens.append((shown.g - shown.r) / maxf(shown.g, 1e-4))
+		leaf.free()
+	check(greens[1] > greens[0] + 0.1, "green of a blade and of a broad leaf: %s" % [greens])
+
+
 func test_undersides_of_leaves_are_paler_and_bluer() -> void:
 	_show(_leaf(Color(0.4, 0.6, 0.2), 2.0))
 	var seen: Array[Color] = []

@@ -43,6 +43,17 @@ func test_a_camera_that_keeps_the_width_of_a_tall_picture_sees_all_plants() -> v
 	check(count_different(shown, same) <= MAX_DIFFERENT, "the same picture")
 
 
+func test_tops_of_near_plants_are_drawn_without_their_roots() -> void:
+	_sow()
+	_field.species[0].scale_range = Vector2(4.0, 4.0)
+	stage.get_camera_3d().look_at_from_position(Vector3(0, 0.3, 0), Vector3(0, 1.6, -1))
+	var shown := _count_green(await picture())
+	_field.levels = [PlantFieldLevel.of(24)]
+	var whole := _count_green(await picture())
+	check(whole > 10 * MIN_PLANT, "plants are drawn: %d pixels" % whole)
+	check_near(float(shown), float(whole), 0.15 * whole, "pixels of plants")
+
+
 func test_a_camera_that_turns_sees_plants_in_the_same_frame() -> void:
 	_sow()
 	await settled(_field)

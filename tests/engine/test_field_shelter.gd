@@ -71,11 +71,23 @@ func test_a_scaled_plant_is_sheltered_by_its_height_in_the_world() -> void:
 	for place: Vector3 in [Vector3.ZERO, Vector3(500, 0, 0)]:
 		var single := _single(species, 0.6, 0, place)
 		single.scale = Vector3.ONE * 0.25
-		await frames(400)
-		deflections.append(single.get_deflection())
-		single.free()
+		deflections.append(await _deflection_of(single))
 	check(deflections[1] > 0.01, "in the open it bends by %f" % deflections[1])
 	check(deflections[0] < 0.1 * deflections[1], "in wheat by %f" % deflections[0])
+	wheat.free()
+
+
+func test_a_single_plant_above_a_scaled_field_is_in_its_wind() -> void:
+	var wheat := _field([load(WHEAT)], 90.0)
+	wheat.scale = Vector3.ONE * 0.5
+	wheat.size = Vector2(32, 32)
+	await _settled(wheat)
+	var species: PlantFunction = load(GRASS)
+	var open := await _deflection_of(_single(species, 0.8, 0, Vector3(500, 0, 0)))
+	var above := await _deflection_of(_single(species, 0.8, 0, Vector3.ZERO))
+	var below := await _deflection_of(_single(species, 0.2, 0, Vector3.ZERO))
+	check(above > 0.3 * open, "above the wheat it bends by %f, in the open by %f" % [above, open])
+	check(below < 0.1 * open, "below the wheat by %f" % below)
 	wheat.free()
 
 
@@ -184,6 +196,14 @@ func _single(species: PlantFunction, height: float, number: int, place: Vector3)
 	single.position = place
 	root.add_child(single)
 	return single
+
+
+## Returns the deflection after some seconds of wind, and frees the plant.
+func _deflection_of(single: Plant3D) -> float:
+	await frames(400)
+	var deflection := single.get_deflection()
+	single.free()
+	return deflection
 
 
 func _mean_of(singles: Array[Plant3D]) -> Vector3:

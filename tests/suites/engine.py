@@ -40,6 +40,8 @@ START = "\nstart\n"
 DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibility"],
          "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
+         "shader_functions": ["gl_compatibility"],
+         "model_materials": ["gl_compatibility"],
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_cards": ["gl_compatibility", "forward_plus"],
          "field_picture_light": ["gl_compatibility", "forward_plus"],

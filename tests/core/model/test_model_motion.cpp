@@ -21,6 +21,31 @@ TEST_CASE("model: the stem of a plant bends along its height and its base is sti
 	}
 }
 
+TEST_CASE("model: the middle of a leaning stem of few rows is between them") {
+	const float lean = 0.5f;
+	const float heights[] = { 0.0f, 0.56f, 1.2f };
+	const auto at = [&](int row, int side) {
+		const float turn = 1.5707963f * static_cast<float>(side);
+		return glm::vec3(lean * heights[row] + 0.02f * std::cos(turn), heights[row], 0.02f * std::sin(turn));
+	};
+	MadeSurface made;
+	for (int row = 0; row < 2; row++) {
+		for (int side = 0; side < 4; side++) {
+			made.quad(at(row, side), at(row, side + 1), at(row + 1, side + 1), at(row + 1, side));
+		}
+	}
+	const ModelMotion motion = motion_of({ made.surface() });
+	float aside = 0.0f;
+	float count = 0.0f;
+	for (size_t i = 0; i < motion.vertices.places.size(); i++) {
+		const float place = motion.vertices.places[i].y;
+		aside += place > 0.3f && place < 0.9f ? motion.vertices.custom2[i].x : 0.0f;
+		count += place > 0.3f && place < 0.9f ? 1.0f : 0.0f;
+	}
+	CHECK(count == 16.0f);
+	CHECK(std::fabs(aside / count) < 0.15f * lean * heights[1]);
+}
+
 TEST_CASE("model: loose islands are leaves with a pivot at the stem and a weight that grows to the tip") {
 	const MadeSurface made = leafy_stem();
 	const ModelMotion motion = motion_of({ made.surface() });

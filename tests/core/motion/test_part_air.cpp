@@ -41,6 +41,16 @@ TEST_CASE("the air at a plant is that of its canopy, of open ground, or within t
 	CHECK(speed_over(0.0f, 0.6f) == 0.0f);
 }
 
+TEST_CASE("the air below a few taller plants is between that of its own canopy and that within theirs") {
+	const double open = 8.0 * canopy_top_speed(0.2);
+	const double within = 8.0 * canopy_speed(0.2, 0.9);
+	for (const float cover : { 0.0f, 0.25f, 0.75f }) {
+		const double share = static_cast<double>(cover);
+		const double wanted = (1.0 - share) * open + share * within;
+		CHECK(speed_over(8.0f, 0.2f, { 0.9f, cover }) == doctest::Approx(wanted).epsilon(1e-4));
+	}
+}
+
 TEST_CASE("light air moves light leaves of sheltered plants, and still air moves none") {
 	PartMotion leaf;
 	leaf.side = { 1.0f, 0.0f };

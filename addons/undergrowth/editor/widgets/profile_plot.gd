@@ -10,6 +10,8 @@ const SAMPLES := 64
 const MIN_HEIGHT := 56
 const MIN_HEIGHT_TO_EDIT := 100
 const MARGIN := 6.0
+## Thinner pieces of the outline are not drawn, in pixels of both of their ends.
+const MIN_PIECE := 0.02
 
 var _function: PlantFunction
 var _widths: PackedFloat32Array = []
@@ -97,24 +99,28 @@ func _draw() -> void:
 
 
 func _draw_outline(area: Rect2) -> void:
-	var middle := area.get_center().y
 	for i in SAMPLES:
-		var left := area.position.x + area.size.x * i / SAMPLES
-		var right := area.position.x + area.size.x * (i + 1) / SAMPLES
-		var here := _widths[i] / _max_width * area.size.y * 0.5
-		var there := _widths[i + 1] / _max_width * area.size.y * 0.5
-		if here + there < 0.01:
+		var piece := get_piece(i, area)
+		if piece[3].y - piece[0].y + piece[2].y - piece[1].y < MIN_PIECE:
 			continue
-		draw_primitive(
-			[
-				Vector2(left, middle - here),
-				Vector2(right, middle - there),
-				Vector2(right, middle + there),
-				Vector2(left, middle + here)
-			],
-			[_colors[i], _colors[i + 1], _colors[i + 1], _colors[i]],
-			[]
-		)
+		var colors := [_colors[i], _colors[i + 1], _colors[i + 1], _colors[i]]
+		draw_primitive(piece, colors, [])
+
+
+## Returns the corners of the outline between two samples in [param area]: above on the left, above
+## on the right, below on the right, below on the left.
+func get_piece(i: int, area: Rect2) -> PackedVector2Array:
+	var middle := area.get_center().y
+	var left := area.position.x + area.size.x * i / SAMPLES
+	var right := area.position.x + area.size.x * (i + 1) / SAMPLES
+	var here := _widths[i] / _max_width * area.size.y * 0.5
+	var there := _widths[i + 1] / _max_width * area.size.y * 0.5
+	return [
+		Vector2(left, middle - here),
+		Vector2(right, middle - there),
+		Vector2(right, middle + there),
+		Vector2(left, middle + here)
+	]
 
 
 func _draw_text(area: Rect2) -> void:
