@@ -34,13 +34,16 @@ var _file := ""
 @onready var _cancel: Button = %Cancel
 
 
-## Shows the messages and the progress of [param state].
-func setup(state: EditorState) -> void:
+## Shows the messages and the progress of [param state], or only what is about the wind.
+func setup(state: EditorState, is_for_wind := false) -> void:
 	_state = state
 	_text.max_lines_visible = lines
-	_state.reported.connect(show_message)
-	_state.file_reported.connect(_offer_file)
-	_state.work_changed.connect(_on_work_changed)
+	if is_for_wind:
+		_state.wind_reported.connect(show_message)
+	else:
+		_state.reported.connect(show_message)
+		_state.file_reported.connect(_offer_file)
+		_state.work_changed.connect(_on_work_changed)
 	_show_file.pressed.connect(_on_show_file_pressed)
 	_cancel.pressed.connect(_on_cancel_pressed)
 	_on_work_changed()
