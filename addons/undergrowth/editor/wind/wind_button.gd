@@ -66,4 +66,6 @@ func _place() -> void:
 	var lowest := view.y - _frame.size.y - gap
 	var is_below := lowest >= axes
 	var right := view.x - _frame.size.x - (gap if is_below else axes)
-	_frame.position = Vector2(maxf(right, 0.0), axes if is_below else clampf(gap, 0.0, maxf(lowest, 0.0)))
+	_frame.position = Vector2(
+		maxf(right, 0.0), axes if is_below else clampf(gap, 0.0, maxf(lowest, 0.0))
+	)
