@@ -55,6 +55,59 @@ func test_bake_writes_the_files_that_the_dialog_lists() -> void:
 		check(FileAccess.file_exists(_path(file)), file)
 
 
+func test_a_button_shows_the_baked_files() -> void:
+	await _choose("Grass")
+	await _use("Bake")
+	await _fill(_dialog("ConfirmationDialog"), "Shown", FOLDER)
+	var height := tiles().size.y
+	await click((_dialog("ConfirmationDialog") as ConfirmationDialog).get_ok_button())
+	var button := part("Status/ShowFile") as LinkButton
+	check(await until(func() -> bool: return button.visible), "the button: " + _message())
+	await frames(2)
+	check_equal(tiles().size.y, height, "height of the tiles")
+	await files_are_known()
+	await click(button)
+	await frames(5)
+	check(EditorInterface.get_file_system_dock().is_visible_in_tree(), "the dock is in front")
+	check_equal(EditorInterface.get_current_path(), FOLDER.path_join("shown_lod0.res"), "file")
+	await _choose("Tulip")
+	check(not button.visible, "it is gone with its message")
+
+
+func test_a_model_has_the_skeleton_and_linear_colors() -> void:
+	var options := _options("Model", "24", 1)
+	options.with_meshes = false
+	options.with_model = true
+	check_equal(options.get_files(), PackedStringArray([FOLDER.path_join("model.glb")]), "files")
+	var poppy: PlantFunction = load("res://addons/undergrowth/species/poppy.tres")
+	check_equal(Bake.bake(poppy, options), "", "problem")
+	var document := GLTFDocument.new()
+	var state := GLTFState.new()
+	var read := document.append_from_file(options.get_files()[0], state)
+	check_equal(read, OK, "reading the file")
+	var scene := document.generate_scene(state)
+	var skeleton := scene.find_children("*", "Skeleton3D", true, false)[0] as Skeleton3D
+	check(skeleton.find_bone("tip") >= 0, "it has a tip")
+	var shown := scene.find_children("*", "ImporterMeshInstance3D", true, false)[0]
+	var mesh := (shown as ImporterMeshInstance3D).mesh.get_mesh()
+	var wanted := poppy.generate_mesh(0.0, 24, 1)
+	check(mesh.get_aabb().is_equal_approx(wanted.get_aabb()), "%s" % mesh.get_aabb())
+	var mean := _mean_color(wanted, true)
+	var read_mean := _mean_color(mesh, false)
+	check(read_mean.distance_to(mean) < 0.01, "%s, not %s" % [read_mean, mean])
+	scene.free()
+	DirAccess.remove_absolute(options.get_files()[0])  # Its import would go on in later tests.
+
+
+func _mean_color(mesh: Mesh, is_srgb: bool) -> Vector3:
+	var colors: PackedColorArray = mesh.surface_get_arrays(0)[Mesh.ARRAY_COLOR]
+	var sum := Vector3.ZERO
+	for color in colors:
+		var linear := color.srgb_to_linear() if is_srgb else color
+		sum += Vector3(linear.r, linear.g, linear.b)
+	return sum / colors.size()
+
+
 func test_levels_are_plain_meshes_that_a_multimesh_draws() -> void:
 	var before := 1 << 30
 	for level in 4:

@@ -28,7 +28,7 @@ func test_every_tab_beside_the_inspector_stays_visible() -> void:
 		check(bar.get_tab_title(i) != "Undergrowth", "it takes no tab from the inspector")
 
 
-func test_pictures_of_two_rows_of_tiles_are_seen() -> void:
+func test_two_rows_of_tiles_are_seen() -> void:
 	await open_panel()
 	tiles().get_v_scroll_bar().value = 0
 	await frames(2)
@@ -36,8 +36,31 @@ func test_pictures_of_two_rows_of_tiles_are_seen() -> void:
 	while tiles().get_item_rect(columns).position.y == tiles().get_item_rect(0).position.y:
 		columns += 1
 	check(columns >= 7, "%d columns" % columns)
-	var end := tiles().get_item_rect(columns).position.y + tiles().fixed_icon_size.y
+	var end := tiles().get_item_rect(columns).end.y
 	check(end <= tiles().size.y, "the second row ends at %f of %f" % [end, tiles().size.y])
+
+
+func test_categories_are_in_one_line_in_each_language() -> void:
+	await open_panel()
+	for locale: String in ["hr", "en"]:
+		TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override(locale)
+		dock().propagate_notification(Node.NOTIFICATION_TRANSLATION_CHANGED)
+		await frames(4)
+		var last := part("Browser/List/Project") as Control
+		check_equal(last.position.y, (part("Browser/List/All") as Control).position.y, locale)
+
+
+func test_actions_are_below_the_tiles_in_a_narrow_dock() -> void:
+	await open_panel()
+	var browser := part("Browser") as BoxContainer
+	check(not browser.vertical, "beside the tiles in the panel")
+	var tab := dock().get_parent() as Control
+	var width := 320.0 * EditorInterface.get_editor_scale()
+	browser.size.x = width
+	check(browser.vertical, "below them if it is narrow")
+	(browser.get_parent() as Container).queue_sort()
+	await frames(3)
+	check(not browser.vertical and tab.is_visible_in_tree(), "beside them again")
 
 
 func test_no_name_is_cut() -> void:

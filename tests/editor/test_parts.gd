@@ -28,6 +28,43 @@ func test_rows_are_the_parts_of_the_species() -> void:
 	await take_picture("parts")
 
 
+func test_no_name_of_a_ready_species_is_cut() -> void:
+	var folder := FERN.get_base_dir()
+	var count := 0
+	for file in DirAccess.get_files_at(folder):
+		var species := load(folder.path_join(file)) as PlantFunction
+		if not species or not species.arrangements:
+			continue
+		EditorInterface.edit_resource(species)
+		await open_inspector()
+		await frames(6)
+		var tree := _tree_in(EditorInterface.get_inspector())
+		var item := tree.get_root()
+		while item:
+			_check_seen(tree, item, file)
+			count += 1
+			item = item.get_next_in_tree()
+	check(count > 50, "%d names" % count)
+
+
+func _check_seen(tree: Tree, item: TreeItem, file: String) -> void:
+	var depth := 1
+	var above := item.get_parent()
+	while above:
+		depth += 1
+		above = above.get_parent()
+	var indent := tree.get_theme_constant(&"item_margin") + tree.get_theme_constant(&"h_separation")
+	var font := tree.get_theme_font(&"font")
+	var font_size := tree.get_theme_font_size(&"font_size")
+	var text := item.get_text(NAME)
+	var size := font.get_multiline_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size)
+	var room := tree.get_column_width(NAME) - depth * indent
+	check(size.x <= room, "%s: %s needs %.0f of %d" % [file, text, size.x, room])
+	var rect := tree.get_item_area_rect(item)
+	check(rect.size.y >= size.y, "%s: %s is %.0f of %.0f high" % [file, text, rect.size.y, size.y])
+	check(rect.end.y <= tree.size.y, "%s: %s is below the tree" % [file, text])
+
+
 func test_a_count_is_typed_into_its_cell() -> void:
 	var fern := await _open_fern()
 	await _type_count("Fronds", "9")

@@ -73,6 +73,46 @@ func test_a_closed_drag_draws_a_bed() -> void:
 	await _choose_tool("Path")
 
 
+func test_a_second_hedge_replaces_the_first() -> void:
+	var field := await _edited_field()
+	await _choose_tool("Path")
+	_set_width(0.4)
+	await drag(_view(), _place_of(field, LEFT), _place_of(field, RIGHT))
+	var first := field.get_node(field.outline) as Path3D
+	await drag(_view(), _place_of(field, LEFT), _place_of(field, MIDDLE))
+	var second := field.get_node(field.outline) as Path3D
+	check(second != first, "the second is the area")
+	check_equal(field.get_child_count(), 1, "paths of the field")
+	check_equal(second.name, &"Hedge", "its name")
+	await undo()
+	check(field.get_node(field.outline) == first, "undo brings the first back")
+	check_equal(field.get_child_count(), 1, "paths after undo")
+	check(first.owner == field.owner, "it is saved with the scene")
+	await redo()
+	check(field.get_node(field.outline) == second, "redo replaces it")
+	await undo()
+	await undo()
+	await _choose_tool("Path")
+
+
+func test_a_path_with_another_use_stays() -> void:
+	var field := await _edited_field()
+	await _choose_tool("Path")
+	_set_width(0.4)
+	await drag(_view(), _place_of(field, LEFT), _place_of(field, RIGHT))
+	var first := field.get_node(field.outline) as Path3D
+	field.exclusion_widths = [0.2]
+	field.exclusions = [NodePath(first.name)]
+	await drag(_view(), _place_of(field, LEFT), _place_of(field, MIDDLE))
+	check_equal(first.get_parent(), field as Node, "parent of the first")
+	check_equal(field.get_child_count(), 2, "paths of the field")
+	field.exclusions = []
+	field.exclusion_widths = []
+	await undo()
+	await undo()
+	await _choose_tool("Path")
+
+
 func test_escape_discards_what_is_drawn() -> void:
 	var field := await _edited_field()
 	await _choose_tool("Trail")

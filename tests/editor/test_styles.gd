@@ -6,6 +6,8 @@ extends "style_checks.gd"
 const SCENE := "res://looks.tscn"
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
 const SETTINGS_SCRIPT := "res://addons/undergrowth/editor/brush/brush_settings.gd"
+## Side of the 3D view's axes in its corner, in pixels at 100 %.
+const AXES := 110.0
 const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
 
 
@@ -21,6 +23,11 @@ func test_the_tiles_and_the_inspector_of_species() -> void:
 		check_nothing_is_cut(find_by_script(PREVIEW_SCRIPT), shown[1])
 		check_nothing_is_cut(dock(), shown[1])
 		await take_style(shown[1])
+
+
+func _speak(locale: String) -> void:
+	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override(locale)
+	find_by_script(SETTINGS_SCRIPT).propagate_notification(Node.NOTIFICATION_TRANSLATION_CHANGED)
 
 
 func test_levels_rings_and_bones() -> void:
@@ -61,6 +68,10 @@ func test_the_popup_for_wind() -> void:
 		var view := EditorInterface.get_editor_viewport_3d(0).get_parent() as Control
 		var frame := (wind_panel().get_parent() as Control).get_global_rect()
 		check(view.get_global_rect().encloses(frame), "within the view: %s" % frame)
+		var side := Vector2.ONE * AXES * EditorInterface.get_editor_scale()
+		var end := view.get_global_rect().end
+		var axes := Rect2(end.x - side.x, view.global_position.y, side.x, side.y)
+		check(not axes.intersects(frame), "beside the axes: %s" % frame)
 		await take_style(kind[1])
 	await close_wind()
 	_state().wind.kind = PlantWind.KIND_WAVES
@@ -77,6 +88,11 @@ func test_the_brush() -> void:
 			check_nothing_is_cut(_bar(), tool)
 			check_nothing_is_cut(find_by_script(SETTINGS_SCRIPT), tool)
 			await take_style("brush_%s_%s" % [name, tool])
+			_speak("hr")
+			await frames(4)
+			check_nothing_is_cut(find_by_script(SETTINGS_SCRIPT), tool + " in Croatian")
+			await take_style("brush_%s_%s_hr" % [name, tool])
+			_speak("en")
 		await click(_bar().get_node("%Height") as Control)
 
 

@@ -41,6 +41,19 @@ func test_speed_is_typed_and_described() -> void:
 	EditorInterface.save_scene()
 
 
+func test_the_panel_shows_messages_about_the_wind_only() -> void:
+	await _open_scene()
+	await open_wind()
+	var state: EditorState = dock().get("state")
+	var text := wind_panel().get_node("%Status").get_node("%Text") as Label
+	state.report_wind("")
+	state.report("Poppy is selected.")
+	check_equal(text.text, "", "a message about a species")
+	await _press_button("SetForScene")
+	check(text.text.contains("3"), "a message about the wind: " + text.text)
+	check_equal((part("Status/Text") as Label).text, text.text, "in the panel below, too")
+
+
 func test_dial_is_turned() -> void:
 	var plants := await _open_scene()
 	var before := plants[0].wind.direction

@@ -12,8 +12,8 @@ const TOASTS: Dictionary[int, EditorToaster.Severity] = {
 	EditorState.Severity.ERROR: EditorToaster.SEVERITY_ERROR,
 }
 
-## Minimum height in pixels at 100 %: pictures of two rows of tiles, and the actions.
-const MIN_HEIGHT := 290
+## Minimum height in pixels at 100 %: two rows of tiles.
+const MIN_HEIGHT := 296
 
 ## State that all parts of the add-on's editor share.
 var state := EditorState.new()

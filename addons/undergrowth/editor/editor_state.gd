@@ -13,6 +13,10 @@ signal wind_changed
 signal sway_changed
 ## Emitted when the status line has a new text.
 signal reported(text: String, severity: Severity)
+## Emitted after [signal reported] if its text is about the wind.
+signal wind_reported(text: String, severity: Severity)
+## Emitted after [signal reported] if its text is about this file.
+signal file_reported(path: String)
 ## Emitted when long work started, progressed or ended; see [member work_total].
 signal work_changed
 
@@ -131,6 +135,18 @@ func fail(text: String) -> void:
 ## Shows [param text] in the status line.
 func report(text: String, severity := Severity.INFO) -> void:
 	reported.emit(text, severity)
+
+
+## Shows [param text] in the status line, and in that of the wind's panel.
+func report_wind(text: String, severity := Severity.INFO) -> void:
+	report(text, severity)
+	wind_reported.emit(text, severity)
+
+
+## Shows [param text] in the status line, with a button that shows the file [param path].
+func report_file(text: String, path: String) -> void:
+	report(text)
+	file_reported.emit(path)
 
 
 ## Shows a progress bar for [param parts] parts of work called [param name].

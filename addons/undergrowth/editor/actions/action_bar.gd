@@ -202,7 +202,7 @@ func save_as(path: String) -> void:
 	ProjectFiles.announce(path)
 	_choose(saved, path, false)
 	Inspecting.open(saved)
-	_state.report(tr("Saved %s.") % path)
+	_state.report_file(tr("Saved %s.") % path, path)
 
 
 func _on_new_accepted(title: String, folder: String) -> void:
@@ -292,9 +292,8 @@ func _report_end(work: Bake, total: int, problem: String) -> void:
 	elif count < total:
 		_warn(tr("Cancelled. %d of %d files were written.") % [count, total])
 	else:
-		_state.report(
-			tr_n("Baked %d file to %s.", "Baked %d files to %s.", count) % [count, _options.folder]
-		)
+		var message := tr_n("Baked %d file to %s.", "Baked %d files to %s.", count)
+		_state.report_file(message % [count, _options.folder], work.written[0])
 
 
 func _find_root() -> Node:

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
 ## Bakes a species to files that do not need the add-on: meshes for MultiMesh and terrain tools, and
-## scenes with a skeleton.
+## scenes and glTF files with a skeleton.
 ##
 ## Each step writes one file in a few milliseconds, so that the editor stays responsive.
 
@@ -54,11 +54,13 @@ func is_done() -> bool:
 ## Writes one more file. Returns the error and its solution, or an empty text.
 func bake_next() -> String:
 	var meshes := _options.levels.size() if _options.with_meshes else 0
-	var per_variant := meshes + (1 if _options.with_scene else 0)
+	var per_variant := _options.count_per_variant()
 	var variant := floori(float(_next) / per_variant)
 	var part := _next % per_variant
 	_next += 1
-	return _bake_level(variant, part) if part < meshes else _bake_scene(variant)
+	if part < meshes:
+		return _bake_level(variant, part)
+	return _bake_scene(variant) if _options.with_scene and part == meshes else _bake_model(variant)
 
 
 ## Returns the plain mesh of one level: one surface with its material and without bones.
@@ -70,8 +72,9 @@ func make_level_mesh(variant: int, level: int) -> ArrayMesh:
 
 
 ## Returns the scene of one variant: a skeleton of two bones, with the finest level as its skin. The
-## bone "tip" bends the plant. The caller frees the scene.
-func make_scene(variant: int) -> Node3D:
+## bone "tip" bends the plant. The caller frees the scene. [param for_model]: as glTF has it, with
+## linear colours and without the attributes of shaders.
+func make_scene(variant: int, for_model := false) -> Node3D:
 	var root := Node3D.new()
 	root.name = FileNames.to_node_name(_options.title)
 	var skeleton := Skeleton3D.new()
@@ -83,7 +86,8 @@ func make_scene(variant: int) -> Node3D:
 	skeleton.owner = root
 	var shown := MeshInstance3D.new()
 	shown.name = "Plant"
-	shown.mesh = _make_mesh(_generate(variant, 0).surface_get_arrays(0), _options.title)
+	var arrays := _generate(variant, 0).surface_get_arrays(0)
+	shown.mesh = _make_model_mesh(arrays) if for_model else _make_mesh(arrays, _options.title)
 	shown.skin = _make_skin()
 	shown.custom_aabb = _reach_of(shown.mesh)
 	skeleton.add_child(shown)
@@ -106,6 +110,16 @@ func _bake_scene(variant: int) -> String:
 	if problem.is_empty():
 		var root := make_scene(variant)
 		problem = ProjectFiles.save_scene(root, path)
+		root.free()
+	return _note(path, problem)
+
+
+func _bake_model(variant: int) -> String:
+	var path := _options.get_model_path(variant)
+	var problem := _prepare(variant, 0, path)
+	if problem.is_empty():
+		var root := make_scene(variant, true)
+		problem = ProjectFiles.save_model(root, path)
 		root.free()
 	return _note(path, problem)
 
@@ -139,6 +153,17 @@ func _make_mesh(arrays: Array, title: String) -> ArrayMesh:
 	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES, arrays, [], {}, _custom_formats)
 	mesh.surface_set_material(0, _material)
 	return mesh
+
+
+func _make_model_mesh(arrays: Array) -> ArrayMesh:
+	var colors: PackedColorArray = arrays[Mesh.ARRAY_COLOR]
+	for i in colors.size():
+		colors[i] = colors[i].srgb_to_linear()
+	arrays[Mesh.ARRAY_COLOR] = colors
+	for custom in range(Mesh.ARRAY_CUSTOM0, Mesh.ARRAY_CUSTOM3 + 1):
+		arrays[custom] = null
+	_custom_formats = 0
+	return _make_mesh(arrays, _options.title)
 
 
 ## References a material of the project and copies one of the library or the add-on. Replaces a

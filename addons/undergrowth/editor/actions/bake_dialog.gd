@@ -8,7 +8,7 @@ signal accepted(options: BakeOptions)
 const BakeOptions := preload("bake_options.gd")
 const FolderField := preload("folder_field.gd")
 const Hint := preload("hint.gd")
-const SIZE := Vector2i(480, 380)
+const SIZE := Vector2i(480, 410)
 
 @onready var _title: LineEdit = %Title
 @onready var _folder: FolderField = %Folder
@@ -18,6 +18,7 @@ const SIZE := Vector2i(480, 380)
 @onready var _levels: LineEdit = %Levels
 @onready var _meshes: CheckBox = %Meshes
 @onready var _scene: CheckBox = %Scene
+@onready var _model: CheckBox = %Model
 @onready var _hint: Hint = %Hint
 
 
@@ -29,7 +30,7 @@ func _ready() -> void:
 		line.text_changed.connect(func(_text: String) -> void: _check())
 	for box: Range in [_height, _variants, _seed]:
 		box.value_changed.connect(func(_value: float) -> void: _check())
-	for choice: CheckBox in [_meshes, _scene]:
+	for choice: CheckBox in [_meshes, _scene, _model]:
 		choice.toggled.connect(func(_on: bool) -> void: _check())
 	_folder.changed.connect(_check)
 	confirmed.connect(_on_confirmed)
@@ -55,6 +56,7 @@ func get_options() -> BakeOptions:
 	options.read_levels(_levels.text)
 	options.with_meshes = _meshes.button_pressed
 	options.with_scene = _scene.button_pressed
+	options.with_model = _model.button_pressed
 	return options
 
 

@@ -26,6 +26,8 @@ var levels := DEFAULT_LEVELS.duplicate()
 var with_meshes := true
 ## True for one scene with a skeleton per variant.
 var with_scene := false
+## True for one glTF file with a skeleton per variant, for other programs.
+var with_model := false
 
 var _stem := ""
 
@@ -56,8 +58,8 @@ func find_problem() -> String:
 		)
 	if levels.size() > MAX_LEVELS:
 		return Translations.text("Leave out some levels: %d are the most.") % MAX_LEVELS
-	if not with_meshes and not with_scene:
-		return Translations.text("Choose meshes, a scene, or both.")
+	if count_per_variant() == 0:
+		return Translations.text("Choose at least one kind of files.")
 	return ""
 
 
@@ -71,6 +73,11 @@ func get_scene_path(variant: int) -> String:
 	return folder.path_join("%s.tscn" % get_stem(variant))
 
 
+## Returns the glTF file of one variant.
+func get_model_path(variant: int) -> String:
+	return folder.path_join("%s.glb" % get_stem(variant))
+
+
 ## Returns the prefix of the files of one variant.
 func get_stem(variant: int) -> String:
 	return _stem if variants == 1 else "%s_%d" % [_stem, variant + 1]
@@ -78,25 +85,37 @@ func get_stem(variant: int) -> String:
 
 ## Returns the number of files to write.
 func count_files() -> int:
-	return variants * ((levels.size() if with_meshes else 0) + (1 if with_scene else 0))
+	return variants * count_per_variant()
+
+
+## Returns the number of files of one variant.
+func count_per_variant() -> int:
+	var meshes := levels.size() if with_meshes else 0
+	return meshes + (1 if with_scene else 0) + (1 if with_model else 0)
 
 
 ## Returns the first and the last of [method get_files] without building the list.
 func get_ends() -> PackedStringArray:
-	var first := get_mesh_path(0, 0) if with_meshes else get_scene_path(0)
-	var last := get_mesh_path(variants - 1, levels.size() - 1)
-	return [first, get_scene_path(variants - 1) if with_scene else last]
+	return [_list(0)[0], _list(variants - 1)[-1]]
 
 
 ## Returns all files to write.
 func get_files() -> PackedStringArray:
 	var files: PackedStringArray = []
 	for variant in variants:
-		if with_meshes:
-			for level in levels.size():
-				files.append(get_mesh_path(variant, level))
-		if with_scene:
-			files.append(get_scene_path(variant))
+		files.append_array(_list(variant))
+	return files
+
+
+# In the order of the bake.
+func _list(variant: int) -> PackedStringArray:
+	var files: PackedStringArray = []
+	for level in levels.size() if with_meshes else 0:
+		files.append(get_mesh_path(variant, level))
+	if with_scene:
+		files.append(get_scene_path(variant))
+	if with_model:
+		files.append(get_model_path(variant))
 	return files
 
 

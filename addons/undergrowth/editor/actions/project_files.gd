@@ -54,6 +54,16 @@ static func save_scene(root: Node, path: String) -> String:
 	return problem
 
 
+## Saves the branch below [param root] as a glTF file.
+static func save_model(root: Node, path: String) -> String:
+	var document := GLTFDocument.new()
+	var state := GLTFState.new()
+	var error := document.append_from_scene(root, state)
+	if error == OK:
+		error = document.write_to_filesystem(state, path)
+	return "" if error == OK else _refusal(path)
+
+
 ## Saves a copy of [param function], or the function itself if the file is its own. Returns the
 ## content of the file, or null if it could not be written.
 static func save_function(function: PlantFunction, path: String) -> PlantFunction:

@@ -1,6 +1,7 @@
 @tool
-extends VBoxContainer
-## Tiles of species and mixes, and actions for the chosen one.
+extends BoxContainer
+## Tiles of species and mixes, and actions for the chosen one: beside the tiles, or below them in a
+## narrow dock.
 
 const EditorState := preload("../editor_state.gd")
 const SpeciesEntry := preload("species_entry.gd")
@@ -9,6 +10,9 @@ const ActionBar := preload("../actions/action_bar.gd")
 const Inspecting := preload("../actions/inspecting.gd")
 const SameResource := preload("../actions/same_resource.gd")
 const SceneSpecies := preload("scene_species.gd")
+
+## Minimum width with the actions beside the tiles, in pixels at 100 %.
+const WIDE := 560
 
 var _state: EditorState
 var _chosen: SpeciesEntry
@@ -23,6 +27,8 @@ var _scene_species := SceneSpecies.new()
 ## Fills the list and chooses the first entry.
 func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> void:
 	_state = state
+	resized.connect(_arrange)
+	_arrange()
 	_list.chosen.connect(_on_list_chosen)
 	_list.opened.connect(_on_list_opened)
 	_list.refreshed.connect(_on_list_refreshed)
@@ -34,6 +40,10 @@ func setup(state: EditorState, undo: EditorUndoRedoManager, dock: Control) -> vo
 	_choose_first()
 	_scene_species.selected.connect(_show_species)
 	_scene_species.setup(self)
+
+
+func _arrange() -> void:
+	vertical = size.x < WIDE * EditorInterface.get_editor_scale()
 
 
 func _choose_first() -> void:

@@ -1,7 +1,7 @@
 @tool
 extends HBoxContainer
 ## The field's tools in the toolbar of the 3D view: the tools of the brush, and buttons to place the
-## field on the ground and to rebuild it.
+## field on the ground, to save its map in tiles and to rebuild it.
 
 ## Emitted when the user requests a rebuild of the field.
 signal fill_wanted
@@ -9,6 +9,8 @@ signal fill_wanted
 signal place_wanted
 ## Emitted when the user wants the field off the ground, or not any more.
 signal flat_wanted(on: bool)
+## Emitted when the user wants the field's map in files.
+signal map_wanted
 
 const BrushOptions := preload("brush_options.gd")
 const Translations := preload("../translations/translations.gd")
@@ -20,6 +22,7 @@ const ICONS: Array[StringName] = [
 const FILL_ICON := &"Reload"
 const PLACE_ICON := &"Snap"
 const KEEP_ICON := &"Pin"
+const MAP_ICON := &"Save"
 
 var _options: BrushOptions
 
@@ -27,6 +30,7 @@ var _options: BrushOptions
 @onready var _fill: Button = %Fill
 @onready var _place: Button = %Place
 @onready var _keep_flat: Button = %KeepFlat
+@onready var _save_map: Button = %SaveMap
 
 
 ## Shows and changes [param options].
@@ -38,6 +42,7 @@ func setup(options: BrushOptions) -> void:
 	_fill.pressed.connect(fill_wanted.emit)
 	_place.pressed.connect(place_wanted.emit)
 	_keep_flat.toggled.connect(flat_wanted.emit)
+	_save_map.pressed.connect(map_wanted.emit)
 	options.changed.connect(_show)
 	_apply_theme()
 	_show()
@@ -47,6 +52,11 @@ func setup(options: BrushOptions) -> void:
 func show_ground(is_flat: bool, is_kept: bool) -> void:
 	_keep_flat.visible = is_flat
 	_keep_flat.set_pressed_no_signal(is_kept)
+
+
+## Shows the button to save the field's map in tiles if [param is_possible].
+func offer_map(is_possible: bool) -> void:
+	_save_map.visible = is_possible
 
 
 func _notification(what: int) -> void:
@@ -69,4 +79,5 @@ func _apply_theme() -> void:
 		_tools[tool].icon = get_theme_icon(ICONS[tool], &"EditorIcons")
 	_fill.icon = get_theme_icon(FILL_ICON, &"EditorIcons")
 	_place.icon = get_theme_icon(PLACE_ICON, &"EditorIcons")
+	_save_map.icon = get_theme_icon(MAP_ICON, &"EditorIcons")
 	_keep_flat.icon = get_theme_icon(KEEP_ICON, &"EditorIcons")

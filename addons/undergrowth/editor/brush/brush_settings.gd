@@ -14,6 +14,8 @@ const Translations := preload("../translations/translations.gd")
 const MARGIN := 8
 ## In pixels at 100 %.
 const THUMBNAIL := 24
+## Width of a slider beside its texts, in pixels at 100 %.
+const SLIDER_SLACK := 34.0
 ## Maximum number of buttons. More species are in a menu.
 const MAX_BUTTONS := 3
 
@@ -49,8 +51,6 @@ func setup(options: BrushOptions) -> void:
 	_as_mixed.toggled.connect(_on_as_mixed_toggled)
 	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
 	_menu.chosen.connect(_choose)
-	for slider: Control in _numbers.get_children():
-		slider.custom_minimum_size.x *= EditorInterface.get_editor_scale()
 	for side: StringName in [&"margin_left", &"margin_right"]:
 		add_theme_constant_override(side, int(MARGIN * EditorInterface.get_editor_scale()))
 	options.changed.connect(_show)
@@ -209,4 +209,20 @@ func _translate() -> void:
 	_density.label = tr("Density")
 	_density.suffix = tr("plants/m²")
 	_plant_height.label = tr("Height")
+	_fit_sliders()
 	_menu.show_painted(_options.species)
+
+
+# As wide as the label, the widest usual number and the unit in any language.
+func _fit_sliders() -> void:
+	var font := get_theme_font(&"font", &"LineEdit")
+	var font_size := get_theme_font_size(&"font_size", &"LineEdit")
+	var slack := SLIDER_SLACK * EditorInterface.get_editor_scale()
+	for slider: Control in _numbers.get_children():
+		if slider is not EditorSpinSlider:
+			continue
+		var number := slider as EditorSpinSlider
+		var digits := "00.0" if number.step >= 0.1 else "00.00"
+		var text := "%s %s %s" % [number.label, digits, number.suffix]
+		var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+		number.custom_minimum_size.x = ceilf(width + slack)

@@ -13,6 +13,7 @@ const BrushSettings := preload("brush_settings.gd")
 const BrushStroke := preload("brush_stroke.gd")
 const BrushPointer := preload("brush_pointer.gd")
 const FieldPlacing := preload("../field/field_placing.gd")
+const MapSaving := preload("map_saving.gd")
 const PathTool := preload("path_tool.gd")
 const PenPressure := preload("pen_pressure.gd")
 const TransformGizmo := preload("transform_gizmo.gd")
@@ -40,6 +41,7 @@ var _pen := PenPressure.new()
 var _waits_for: Variant
 var _choice := BrushChoice.new()
 var _path_tool := PathTool.new()
+var _map_saving := MapSaving.new()
 
 
 ## Adds the toolbar and the settings to the 3D editor of [param plugin]. It paints the species
@@ -55,6 +57,8 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 	_bar.fill_wanted.connect(_on_fill_wanted)
 	_bar.place_wanted.connect(_on_place_wanted)
 	_bar.flat_wanted.connect(_on_flat_wanted)
+	_bar.map_wanted.connect(func() -> void: _map_saving.choose_file(_field))
+	_map_saving.setup(plugin.get_undo_redo())
 	_bar.hide()
 	_settings = (load(folder.path_join(SETTINGS_SCENE)) as PackedScene).instantiate()
 	plugin.add_control_to_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_BOTTOM, _settings)
@@ -67,8 +71,9 @@ func setup(plugin: EditorPlugin, state: EditorState) -> void:
 
 ## Removes the toolbar and the settings.
 func close() -> void:
-	end_stroke()
+	edit(null)
 	_choice.close()
+	_map_saving.close()
 	_plugin.get_undo_redo().history_changed.disconnect(_on_history_changed)
 	_plugin.get_undo_redo().version_changed.disconnect(_on_history_changed)
 	_plugin.remove_control_from_container(EditorPlugin.CONTAINER_SPATIAL_EDITOR_MENU, _bar)
@@ -93,7 +98,7 @@ func edit(field: PlantField3D) -> void:
 	else:
 		options.tool = BrushOptions.Tool.NONE
 	_bar.visible = field != null
-	_show_ground()
+	_show_state()
 	_choice.edit(field)
 	_hide_circle()
 
@@ -287,8 +292,9 @@ func _on_flat_wanted(on: bool) -> void:
 		FieldPlacing.keep_flat(_plugin.get_undo_redo(), _field, on)
 
 
-func _show_ground() -> void:
+func _show_state() -> void:
 	if _field:
+		_bar.offer_map(MapSaving.is_possible(_field))
 		var is_flat := _field.ground_mode == PlantField3D.GROUND_NONE
 		_bar.show_ground(is_flat, FieldPlacing.is_kept_flat(_field))
 
@@ -302,7 +308,7 @@ func _on_fill_wanted() -> void:
 func _on_history_changed() -> void:
 	if _field and not _stroke:
 		_choice.refresh()
-		_show_ground()
+		_show_state()
 
 
 # Once per frame, for any number of pointer events.

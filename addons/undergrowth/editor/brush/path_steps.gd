@@ -21,12 +21,17 @@ static func add_trail(undo: EditorUndoRedoManager, field: PlantField3D, drawn: D
 
 
 ## Makes the path the area of [param field]: a closed one is a bed, an open one a hedge with a
-## width.
+## width. It replaces a path that is drawn like this.
 static func set_area(undo: EditorUndoRedoManager, field: PlantField3D, drawn: DrawnPath) -> void:
 	var closed := drawn.is_closed()
 	var title := Translations.text("Draw Bed") if closed else Translations.text("Draw Hedge")
 	undo.create_action(title, UndoRedo.MERGE_DISABLE, field)
-	var path := _add(undo, field, drawn, "Bed" if closed else "Hedge")
+	var replaced := AreaModes.find_own_path(field)
+	if replaced:
+		undo.add_do_method(field, &"remove_child", replaced)
+	var path := _add(undo, field, drawn, "Bed" if closed else "Hedge", replaced)
+	if replaced:
+		AreaModes.restore_child(undo, field, replaced)
 	AreaModes.use_path(undo, field, NodePath(path.name))
 	AreaModes.change(undo, field, &"outline_width", 0.0 if closed else drawn.width)
 	AreaModes.change(undo, field, &"endless", false)
@@ -34,9 +39,13 @@ static func set_area(undo: EditorUndoRedoManager, field: PlantField3D, drawn: Dr
 
 
 static func _add(
-	undo: EditorUndoRedoManager, field: PlantField3D, drawn: DrawnPath, title: String
+	undo: EditorUndoRedoManager,
+	field: PlantField3D,
+	drawn: DrawnPath,
+	title: String,
+	replaced: Node = null
 ) -> Path3D:
 	var path := Path3D.new()
 	path.curve = drawn.make_curve()
-	AreaModes.add_child(undo, field, path, title)
+	AreaModes.add_child(undo, field, path, title, replaced)
 	return path

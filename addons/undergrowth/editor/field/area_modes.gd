@@ -6,6 +6,7 @@ extends RefCounted
 enum Mode { RECTANGLE, PATH, PAINTED }
 
 const FieldEntries := preload("../actions/field_entries.gd")
+const ScenePlants := preload("../wind/scene_plants.gd")
 const Translations := preload("../translations/translations.gd")
 ## Hidden in the inspector and saved with the scene.
 const KEPT_OUTLINE := &"_undergrowth_outline"
@@ -90,13 +91,50 @@ static func use_path(undo: EditorUndoRedoManager, field: PlantField3D, path: Nod
 	change(undo, field, &"outline", path)
 
 
-## Adds to a step of undo a new [param node] below [param field], called [param title].
+## Returns the path that only marks the area of [param field]: its child, without children, a script
+## or another use. Null: there is none.
+static func find_own_path(field: PlantField3D) -> Path3D:
+	var outline := field.outline
+	if outline.is_empty() and field.has_meta(KEPT_OUTLINE):
+		outline = field.get_meta(KEPT_OUTLINE)
+	var path := field.get_node_or_null(outline) as Path3D if outline else null
+	if not path or path.get_parent() != field or path.get_script() or path.get_child_count() > 0:
+		return null
+	var root := EditorInterface.get_edited_scene_root()
+	for other: PlantField3D in ScenePlants.all(root).filter(_is_field):
+		var paths := other.exclusions.duplicate()
+		if other != field:
+			paths.append(other.outline)
+		for used in paths:
+			if used and other.get_node_or_null(used) == path:
+				return null
+	return path
+
+
+static func _is_field(plant: Node) -> bool:
+	return plant is PlantField3D
+
+
+## Adds to a step of undo that [param path] returns into [param field]. Its name must be free then.
+static func restore_child(undo: EditorUndoRedoManager, field: PlantField3D, path: Node) -> void:
+	undo.add_undo_method(field, &"add_child", path, true)
+	undo.add_undo_method(field, &"move_child", path, path.get_index())
+	undo.add_undo_property(path, &"owner", path.owner)
+	undo.add_undo_reference(path)
+
+
+## Adds to a step of undo a new [param node] below [param field], called [param title]. It may have
+## the name of [param replaced].
 static func add_child(
-	undo: EditorUndoRedoManager, field: PlantField3D, node: Node, title: String
+	undo: EditorUndoRedoManager,
+	field: PlantField3D,
+	node: Node,
+	title: String,
+	replaced: Node = null
 ) -> void:
 	node.name = title
 	var number := 2
-	while field.has_node(NodePath(node.name)):
+	while field.has_node(NodePath(node.name)) and field.get_node(NodePath(node.name)) != replaced:
 		node.name = "%s%d" % [title, number]
 		number += 1
 	undo.add_do_method(field, &"add_child", node, true)

@@ -11,7 +11,7 @@ const CATEGORY_CLASS := "EditorInspectorCategory"
 ## Properties that the tree shows, and those of every resource.
 const HIDDEN: Array[StringName] = [&"carries", &"visible", &"script"]
 ## Share of the names in a line's width.
-const NAME_SHARE := 0.5
+const NAME_SHARE := 0.56
 
 # Id of the selected arrangement by the id of its species. The inspector makes new controls at every
 # change of the list of properties.

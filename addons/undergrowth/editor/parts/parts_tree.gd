@@ -15,11 +15,13 @@ const COUNT := 1
 const COLOR := 2
 const EYE := 3
 ## Widths in pixels at 100 %.
-const COUNT_WIDTH := 62
-const COLOR_WIDTH := 28
-const EYE_WIDTH := 26
+const COUNT_WIDTH := 50
+const COLOR_WIDTH := 22
+const EYE_WIDTH := 22
 const INDENT := 10
-const SWATCH := Vector2(22, 12)
+## Between an item's border and its content, and between columns.
+const MARGIN := 2
+const SWATCH := Vector2(16, 12)
 const DIM := 0.45
 
 var _function: PlantFunction
@@ -28,6 +30,8 @@ var _steps: PartSteps
 var _chosen: PlantArrangement
 var _is_outdated := false
 var _picker: PopupPanel
+# Width of the names' column at the last update.
+var _room := 0
 
 
 ## Shows the parts of [param function]. Changes are steps of [param steps].
@@ -47,11 +51,16 @@ func setup(function: PlantFunction, steps: PartSteps) -> void:
 	set_column_custom_minimum_width(COLOR, int(COLOR_WIDTH * scale_factor))
 	set_column_custom_minimum_width(EYE, int(EYE_WIDTH * scale_factor))
 	set_column_clip_content(NAME, true)
+	for constant: StringName in [
+		&"inner_item_margin_left", &"inner_item_margin_right", &"h_separation"
+	]:
+		add_theme_constant_override(constant, int(MARGIN * scale_factor))
 	add_theme_constant_override(&"item_margin", int(INDENT * scale_factor))
 	item_mouse_selected.connect(_on_mouse_selected)
 	cell_selected.connect(_on_cell_selected)
 	item_edited.connect(_on_item_edited)
 	function.changed.connect(_update_soon)
+	resized.connect(_on_resized)
 
 
 ## Returns the selected arrangement, or null for the plant.
@@ -105,21 +114,37 @@ func _update() -> void:
 	var top := create_item()
 	top.set_text(NAME, Translations.text("Plant"))
 	top.set_metadata(NAME, _function)
-	_add_rows(top, _function)
+	_room = get_column_width(NAME)
+	_add_rows(top, _function, 2)
 	_select_chosen(top)
-	var rows := _count_rows(top)
-	var row := get_item_area_rect(top).size.y + get_theme_constant(&"v_separation")
 	var margins := get_theme_stylebox(&"panel").get_minimum_size().y
-	custom_minimum_size.y = rows * row + margins
+	custom_minimum_size.y = _sum_heights(top) + margins
 
 
-func _add_rows(item: TreeItem, carrier: Resource) -> void:
+func _on_resized() -> void:
+	if get_column_width(NAME) != _room:
+		_update_soon()
+
+
+# A long name is in two lines.
+func _wrap(text: String, depth: int) -> String:
+	var font := get_theme_font(&"font")
+	var font_size := get_theme_font_size(&"font_size")
+	var width := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
+	if width <= _room - depth * (get_theme_constant(&"item_margin") + MARGIN):
+		return text
+	var at := text.rfind(" ")
+	return text if at < 0 else text.left(at) + "\n" + text.substr(at + 1)
+
+
+func _add_rows(item: TreeItem, carrier: Resource, depth: int) -> void:
 	for arrangement in PartSteps.children_of(carrier):
 		if not arrangement:
 			continue
 		var row := item.create_child()
 		row.set_metadata(NAME, arrangement)
-		row.set_text(NAME, PartSteps.title_of(arrangement))
+		row.set_text(NAME, _wrap(PartSteps.title_of(arrangement), depth))
+		row.set_tooltip_text(NAME, PartSteps.title_of(arrangement))
 		row.set_text(COUNT, PartSteps.describe_count(arrangement.count))
 		row.set_editable(COUNT, true)
 		row.set_tooltip_text(
@@ -134,7 +159,7 @@ func _add_rows(item: TreeItem, carrier: Resource) -> void:
 		if not arrangement.visible:
 			for column in columns:
 				row.set_custom_color(column, Color(get_theme_color(&"font_color"), DIM))
-		_add_rows(row, arrangement)
+		_add_rows(row, arrangement, depth + 1)
 
 
 func _make_swatch(color: Color) -> Texture2D:
@@ -153,13 +178,13 @@ func _select_chosen(top: TreeItem) -> void:
 		item = item.get_next_in_tree()
 
 
-func _count_rows(top: TreeItem) -> int:
-	var count := 0
+func _sum_heights(top: TreeItem) -> float:
+	var sum := 0.0
 	var item := top
 	while item:
-		count += 1
+		sum += get_item_area_rect(item).size.y + get_theme_constant(&"v_separation")
 		item = item.get_next_in_tree()
-	return count
+	return sum
 
 
 func _on_cell_selected() -> void:

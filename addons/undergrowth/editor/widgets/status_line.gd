@@ -1,6 +1,7 @@
 @tool
 extends HBoxContainer
-## Small lines for messages, and for the progress of long work with a cancel button.
+## Small lines for messages, a button that shows the file of a message, and the progress of long
+## work with a cancel button.
 
 const EditorState := preload("../editor_state.gd")
 const ICONS: Dictionary[int, StringName] = {
@@ -22,20 +23,28 @@ const SMALL_FONT := 0.85
 
 var _state: EditorState
 var _severity := EditorState.Severity.INFO
+# The file of the message, or an empty text.
+var _file := ""
 
 @onready var _icon: TextureRect = %Icon
 @onready var _text: Label = %Text
+@onready var _show_file: LinkButton = %ShowFile
 @onready var _work: HBoxContainer = %Work
 @onready var _progress: ProgressBar = %Progress
 @onready var _cancel: Button = %Cancel
 
 
-## Shows the messages and the progress of [param state].
-func setup(state: EditorState) -> void:
+## Shows the messages and the progress of [param state], or only what is about the wind.
+func setup(state: EditorState, is_for_wind := false) -> void:
 	_state = state
 	_text.max_lines_visible = lines
-	_state.reported.connect(show_message)
-	_state.work_changed.connect(_on_work_changed)
+	if is_for_wind:
+		_state.wind_reported.connect(show_message)
+	else:
+		_state.reported.connect(show_message)
+		_state.file_reported.connect(_offer_file)
+		_state.work_changed.connect(_on_work_changed)
+	_show_file.pressed.connect(_on_show_file_pressed)
 	_cancel.pressed.connect(_on_cancel_pressed)
 	_on_work_changed()
 	show_message("", EditorState.Severity.INFO)
@@ -49,6 +58,7 @@ func show_message(text: String, severity: EditorState.Severity) -> void:
 	_text.text = text
 	_text.tooltip_text = text
 	_icon.visible = not text.is_empty()
+	_show_file.hide()
 	_apply_theme()
 
 
@@ -61,7 +71,8 @@ func _apply_theme() -> void:
 	_icon.texture = get_theme_icon(ICONS[_severity], &"EditorIcons")
 	var source := &"Label" if _severity == EditorState.Severity.INFO else &"Editor"
 	var font_size := roundi(get_theme_font_size(&"font_size", &"Label") * SMALL_FONT)
-	_text.add_theme_font_size_override(&"font_size", font_size)
+	for control: Control in [_text, _show_file]:
+		control.add_theme_font_size_override(&"font_size", font_size)
 	_text.add_theme_color_override(&"font_color", get_theme_color(COLORS[_severity], source))
 	_keep_room()
 
@@ -73,6 +84,21 @@ func _keep_room() -> void:
 	line += _text.get_theme_constant(&"line_spacing")
 	var margins := _text.get_theme_stylebox(&"normal").get_minimum_size().y
 	_text.custom_minimum_size.y = ceilf(line * _text.max_lines_visible + margins)
+
+
+func _offer_file(path: String) -> void:
+	_file = path
+	_show_file.show()
+
+
+func _on_show_file_pressed() -> void:
+	var files := EditorInterface.get_file_system_dock()
+	var dock: Node = files
+	while dock and dock is not EditorDock:
+		dock = dock.get_parent()
+	if dock:
+		(dock as EditorDock).make_visible()
+	files.navigate_to_path(_file)
 
 
 func _on_work_changed() -> void:

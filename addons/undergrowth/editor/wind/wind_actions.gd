@@ -77,13 +77,13 @@ func set_for_scene() -> void:
 	var wind := _state.wind.duplicate() as PlantWind if is_own else _state.wind
 	var lacks := func(plant: Node3D) -> bool: return plant.get(&"wind") != wind
 	if not plants.any(lacks):
-		_state.report(tr("The plants have this wind already."))
+		_state.report_wind(tr("The plants have this wind already."))
 		return
 	_undo.create_action(tr("Set Scene Wind"), UndoRedo.MERGE_DISABLE, root)
 	_add_wind(plants.filter(lacks), wind)
 	_undo.commit_action()
 	var message := tr_n("%d node has this wind now.", "%d nodes have this wind now.", plants.size())
-	_state.report(message % plants.size())
+	_state.report_wind(message % plants.size())
 
 
 ## Opens a dialog for the resource's path.
@@ -111,18 +111,18 @@ func save(path: String) -> void:
 		_copy(_state.wind, wind)
 		problem = ProjectFiles.save(wind, path)
 	if not problem.is_empty():
-		_state.report(problem, EditorState.Severity.ERROR)
+		_state.report_wind(problem, EditorState.Severity.ERROR)
 		return
 	ProjectFiles.announce(path)
-	_state.report(tr("The wind is saved as %s.") % path)
+	_state.report_wind(tr("The wind is saved as %s.") % path)
 
 
 func _may_set(root: Node, plants: Array[Node3D]) -> bool:
 	if not root:
-		_state.report(tr("Open a scene first; then its plants can have this wind."), WARNING)
+		_state.report_wind(tr("Open a scene first; then its plants can have this wind."), WARNING)
 		return false
 	if plants.is_empty():
-		_state.report(
+		_state.report_wind(
 			tr("The scene has no plants yet. Add one from the panel Undergrowth."), WARNING
 		)
 		return false
@@ -131,7 +131,7 @@ func _may_set(root: Node, plants: Array[Node3D]) -> bool:
 			var advice := tr(
 				"%s belongs to another scene. Open that scene, or make its children editable."
 			)
-			_state.report(advice % plant.name, WARNING)
+			_state.report_wind(advice % plant.name, WARNING)
 			return false
 	return true
 

@@ -8,8 +8,10 @@ const Translations := preload("../translations/translations.gd")
 const WindPanel := preload("wind_panel.gd")
 const PANEL := preload("wind_panel.tscn")
 const ICON := preload("../../icons/PlantWind.svg")
-## Distance from the view's right border, and from its top below the axes, in pixels at 100 %.
-const PLACE := Vector2(10.0, 120.0)
+## Distance from the borders of the view, in pixels at 100 %.
+const GAP := 10.0
+## Width and height of the view's axes in its corner, in pixels at 100 %.
+const AXES := 120.0
 
 var _frame := PanelContainer.new()
 var _panel: WindPanel
@@ -56,9 +58,14 @@ func _show() -> void:
 	_place()
 
 
-# At the right border of the view, and within a low one.
+# Below the axes of the view, or to their left in a low view.
 func _place() -> void:
 	var view := _frame.get_parent_control().size
-	var gap := PLACE * EditorInterface.get_editor_scale()
-	var lowest := view.y - _frame.size.y - gap.x
-	_frame.position = Vector2(view.x - _frame.size.x - gap.x, clampf(gap.y, 0.0, maxf(lowest, 0.0)))
+	var gap := GAP * EditorInterface.get_editor_scale()
+	var axes := AXES * EditorInterface.get_editor_scale()
+	var lowest := view.y - _frame.size.y - gap
+	var is_below := lowest >= axes
+	var right := view.x - _frame.size.x - (gap if is_below else axes)
+	_frame.position = Vector2(
+		maxf(right, 0.0), axes if is_below else clampf(gap, 0.0, maxf(lowest, 0.0))
+	)

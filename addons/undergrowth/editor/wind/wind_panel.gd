@@ -34,7 +34,7 @@ var _is_choosing := false
 func setup(state: EditorState, plugin: EditorPlugin) -> void:
 	_state = state
 	_state.wind_changed.connect(_show_wind)
-	(%Status as StatusLine).setup(state)
+	(%Status as StatusLine).setup(state, true)
 	_actions.setup(state, plugin.get_undo_redo())
 	_presets.setup(_apply_preset)
 	(%Numbers as Control).custom_minimum_size.x *= EditorInterface.get_editor_scale()
@@ -108,7 +108,7 @@ func _set_speed(value: float) -> void:
 	var accepted := minf(value, MAX_SPEED)
 	if accepted < value:
 		var message := tr("%s can be at most %d %s.") % [tr("Speed"), MAX_SPEED, "m/s"]
-		_state.report(message, EditorState.Severity.WARNING)
+		_state.report_wind(message, EditorState.Severity.WARNING)
 	_change({&"kind": PlantWind.KIND_AIR, &"speed": accepted}, "Speed")
 
 

@@ -1,0 +1,19 @@
+@tool
+class_name PlantMapSaver
+extends ResourceFormatSaver
+## Saves a [PlantMap] as files in tiles; see [PlantMapLoader].
+
+const MapTiles := preload("map_tiles.gd")
+
+
+func _get_recognized_extensions(resource: Resource) -> PackedStringArray:
+	return [MapTiles.EXTENSION] if resource is PlantMap else []
+
+
+func _recognize(resource: Resource) -> bool:
+	return resource is PlantMap
+
+
+func _save(resource: Resource, path: String, flags: int) -> Error:
+	var stays := flags & ResourceSaver.FLAG_CHANGE_PATH != 0 or resource.resource_path == path
+	return MapTiles.write(resource as PlantMap, path, stays)
