@@ -30,7 +30,9 @@ func after_each() -> void:
 
 func test_ground_beyond_the_last_plants_continues_their_colour() -> void:
 	var grounds: Dictionary[String, String] = {
-		"mixes/meadow.tscn": "meadow", "species/wheat.tres": "field_soil"
+		"mixes/meadow.tscn": "meadow",
+		"species/wheat.tres": "field_soil",
+		"mixes/fern_floor.tscn": "forest_floor",
 	}
 	for file in grounds:
 		await _make_stage(file, grounds[file])
@@ -47,6 +49,7 @@ func test_the_end_of_a_near_field_is_no_line() -> void:
 	var grounds: Dictionary[String, String] = {
 		"mixes/meadow.tscn": "meadow",
 		"mixes/lawn.tscn": "lawn",
+		"mixes/fern_floor.tscn": "forest_floor",
 		"mixes/wheat_field.tscn": "field_soil"
 	}
 	for file in grounds:
