@@ -30,6 +30,9 @@ static constexpr float MAX_SHARE_OF_NEXT = 0.7f; // Largest begin of a level, as
 // The same for solid levels after one with cards that begin nearer than SOLID_SEEN_END (m). Their forms visibly differ.
 static constexpr float MAX_SOLID_SHARE_OF_NEXT = 0.5f;
 static constexpr float SOLID_SEEN_END = 5.0f;
+// The same for levels with cards of plants of many parts. Between the form of the nearest plants and a level with few
+// segments, they would be seen for a short way, and with gaps.
+static constexpr float MAX_SHARE_WITH_CLOSEST = 0.6f;
 static constexpr float BODIES_SEEN_END = 12.0f; // m.
 static constexpr int MIN_SEGMENTS_OF_BODIES = 5; // Finer ones have many bodies.
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
@@ -130,6 +133,9 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 
 // A level that begins later than at this share of its end is not used.
 static float max_share_of_next(const LevelRule &rule, const SpeciesStyle &style, size_t level, float begin) {
+	if (style.closest > 0 && style.are_carded[level]) {
+		return MAX_SHARE_WITH_CLOSEST;
+	}
 	const bool is_after_cards = style.has_cards_before(level) && begin < SOLID_SEEN_END * rule.lod_bias;
 	return is_after_cards ? MAX_SOLID_SHARE_OF_NEXT : MAX_SHARE_OF_NEXT;
 }
