@@ -9,6 +9,7 @@ const ICONS := "icons"
 const DOCK_ICON := "icons/PlantFunction.svg"
 const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
+const REFUSED_VALUES := "editor/inspector/refused_values.gd"
 const FIELD_GIZMOS := "editor/gizmo/field_gizmos.gd"
 const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", FIELD_GIZMOS]
 const WIND := "editor/wind/wind_button.gd"
@@ -32,6 +33,8 @@ const WORKERS_SETTING := "undergrowth/simulation/use_worker_threads"
 
 var _dock: EditorDock
 var _inspector: EditorInspectorPlugin
+# Shows errors of refused values in the inspector: editor/inspector/refused_values.gd.
+var _refused_values: RefCounted
 var _gizmos: Array[EditorNode3DGizmoPlugin] = []
 # Where gizmos go whose node is no more.
 var _placeholder: Node3D
@@ -76,6 +79,7 @@ func _enter_tree() -> void:
 func _exit_tree() -> void:
 	if not _dock:
 		return
+	_refused_values.call(&"close")
 	remove_inspector_plugin(_inspector)
 	var inspected := EditorInterface.get_inspector().get_edited_object()
 	if inspected:
@@ -186,6 +190,8 @@ func _add_dock() -> void:
 func _add_helpers() -> void:
 	_inspector = (_load(INSPECTOR) as GDScript).new()
 	add_inspector_plugin(_inspector)
+	_refused_values = (_load(REFUSED_VALUES) as GDScript).new()
+	_refused_values.call(&"setup")
 	_add_gizmos()
 	_add_wind()
 	_brush = (_load(BRUSH) as GDScript).new()
