@@ -89,12 +89,12 @@ void MotionPage::add(const MotionPlant *plants, int count) {
 	for (int i = before; i < before + count; i++) {
 		rows.add_row();
 		put_place(i, plants[i - before]);
-		settle(i);
+		straighten(i);
 	}
 	add_owns(plants);
 	if (is_swinging) {
 		update_constants(before);
-		settle_under_weight(before);
+		settle_under_weight(before, size());
 	}
 }
 
@@ -119,7 +119,20 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 	}
 }
 
+static void shift_tip(MotionPage &page, int index, const glm::vec2 &by) {
+	glm::vec2 modes[MAX_STEM_MODES];
+	divide_tip(page.stem_constants(), by, modes);
+	StemState state = page.stem(index);
+	for (int k = 0; k < page.stem_constants().modes; k++) {
+		state.place[k] += modes[k];
+	}
+	page.set_stem(index, state);
+}
+
+// The deflection from the bend under its own weight is preserved.
 void MotionPage::set_plant(int index, const MotionPlant &plant) {
+	const bool nods = is_swinging && kind.law == Law::stem && kind.stem.nod.share != 0.0f;
+	const glm::vec2 before = nods ? nod(stem_page(0), index) : glm::vec2(0.0f);
 	if (plant.root != root(index) || kind.canopy_height <= 0.0f) { // Isolated plants have the wind at their tops.
 		ahead.forget();
 	}
@@ -130,15 +143,24 @@ void MotionPage::set_plant(int index, const MotionPlant &plant) {
 	if (is_swinging) {
 		update_constants(index, index + 1);
 	}
-}
-
-void MotionPage::set_rests(int first, const glm::vec3 *rests, int count) {
-	for (int i = 0; i < count; i++) {
-		put_rest(first + i, rests[i]);
+	const glm::vec2 after = nods ? nod(stem_page(0), index) : glm::vec2(0.0f);
+	if (after != before) {
+		shift_tip(*this, index, after - before);
 	}
 }
 
-void MotionPage::settle(int index) {
+void MotionPage::set_rests(int first, const glm::vec3 *rests, int count) {
+	const bool nods = is_swinging && kind.law == Law::stem && kind.stem.nod.share != 0.0f;
+	for (int i = first; i < first + count; i++) {
+		const glm::vec2 before = nods ? nod(stem_page(0), i) : glm::vec2(0.0f);
+		put_rest(i, rests[i - first]);
+		if (nods) {
+			shift_tip(*this, i, nod(stem_page(0), i) - before);
+		}
+	}
+}
+
+void MotionPage::straighten(int index) {
 	const glm::vec3 calm = rest(index);
 	set_state(index, { calm, {} });
 	set_before(index, calm);
@@ -147,9 +169,15 @@ void MotionPage::settle(int index) {
 void MotionPage::settle() {
 	forget_lasting_bends();
 	for (int i = 0; i < size(); i++) {
-		settle(i);
+		straighten(i);
 	}
-	settle_under_weight(0);
+	settle_under_weight(0, size());
+}
+
+void MotionPage::settle(int index) {
+	lasting.set(index, { 0.0f, 0.0f });
+	straighten(index);
+	settle_under_weight(index, index + 1);
 }
 
 void MotionPage::drop(int index) {
@@ -158,7 +186,7 @@ void MotionPage::drop(int index) {
 	}
 	column(LENGTH)[index] = 0.0f;
 	lasting.set(index, { 0.0f, 0.0f });
-	settle(index);
+	straighten(index);
 	gone++;
 }
 

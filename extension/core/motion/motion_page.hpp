@@ -183,6 +183,8 @@ public:
 	void apply_impulse(int index, const glm::vec3 &impulse);
 	/// Sets all plants to rest, without lasting bends, including their last drawn pose.
 	void settle();
+	/// Sets one plant to rest, in the same way.
+	void settle(int index);
 	/// Reserves room for `plants` in total; add() does not allocate up to that number.
 	void reserve(int plants);
 	/// Appends `count` valid plants, at rest.
@@ -309,11 +311,11 @@ private:
 	void remember();
 	float quickest_swing() const;
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
-	void settle(int index);
+	void straighten(int index);
 	void carry(const Precipitation &precipitation);
 	/// Bend of a tip under the stem's own weight (StemNod), in the frame of the rest.
 	static glm::vec2 nod(const StemPage &page, int row);
-	void settle_under_weight(int begin);
+	void settle_under_weight(int begin, int end);
 	bool find_calm_bends(
 			const KernelSet &set, const StemPage &block, int begin, int count, const CalmBends &calm) const;
 	void lodge(int begin, int count);

@@ -252,7 +252,7 @@ void MotionPage::carry(const Precipitation &precipitation) {
 	}
 	update_constants(0);
 	if (!has_stepped) {
-		settle_under_weight(0);
+		settle_under_weight(0, size());
 	}
 }
 
@@ -284,9 +284,9 @@ glm::vec2 MotionPage::nod(const StemPage &page, int row) {
 	return rest * (0.5f * scale * lean * (page.step.nod.share + lean * page.step.nod.change));
 }
 
-/// Plants from `begin` on that do not move and are straight, or have the bend of their own weight alone, begin with the
+/// Plants from `begin` to `end` that do not move and are straight, or have the bend of their own weight alone, begin with the
 /// bend under all weights.
-void MotionPage::settle_under_weight(int begin) {
+void MotionPage::settle_under_weight(int begin, int end) {
 	constexpr int TRIES = 64;
 	constexpr float MAX_ROUNDING = 1e-3f; // Of bends as half floats.
 	const bool nods = kind.law == Law::stem && max_lean > 0.0f && kind.stem.nod.share != 0.0f;
@@ -297,7 +297,7 @@ void MotionPage::settle_under_weight(int begin) {
 	float share[MAX_STEM_MODES];
 	write_shares(kind.stem, share);
 	const StemPage page = stem_page(0);
-	for (int row = begin; row < size(); row++) {
+	for (int row = begin; row < end; row++) {
 		StemState state = stem(row);
 		const glm::vec2 own = nod(page, row);
 		const glm::vec2 tip = tip_bend(kind.stem, state);

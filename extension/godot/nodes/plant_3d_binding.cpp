@@ -74,7 +74,7 @@ void Plant3D::apply_impulse(const Vector3 &impulse, int joint) {
 }
 
 void Plant3D::reset_motion() {
-	motion.reset(rest());
+	motion.reset();
 	update_bone();
 	motion.pose_now(rest());
 }

@@ -106,11 +106,13 @@ void PlantMotion::leave_simulation() {
 
 void PlantMotion::simulate(PlantSimulation *simulation, const MovedPlant &moved) {
 	park();
-	const PlantMotionState before = motion_state(moved.rest);
+	const std::optional<PlantMotionState> before = parked;
 	const PlantFrame axes = frame_of(moved);
 	place = simulation->enter(
 			plant, { moved.species, moved.wind, axes, moved.forces, moved.taller }, row_of(moved, axes), own_bone);
-	set_motion_state(before);
+	if (before) {
+		set_motion_state(*before);
+	}
 }
 
 bool PlantMotion::is_driven() const {
@@ -119,14 +121,16 @@ bool PlantMotion::is_driven() const {
 
 void PlantMotion::drive(const MovedPlant &moved) {
 	park();
-	const PlantMotionState before = motion_state(moved.rest);
+	const std::optional<PlantMotionState> before = parked;
 	const PlantFrame axes = frame_of(moved);
 	ForceSettings forces;
 	forces.world = moved.forces.world;
 	driven = std::make_unique<DrivenPlant>(PlantKind{ moved.species, {}, axes, forces, moved.taller },
 			PlantSimulation::get_singleton()->get_step_length());
 	driven->group.add(plant, row_of(moved, axes), own_bone);
-	set_motion_state(before);
+	if (before) {
+		set_motion_state(*before);
+	}
 }
 
 void PlantMotion::advance(double delta, const Ref<PlantWind> &wind) {
@@ -167,10 +171,9 @@ bool PlantMotion::follow(const MovedPlant &moved) {
 	return !place.group;
 }
 
-void PlantMotion::reset(const glm::vec3 &rest) {
+void PlantMotion::reset() {
 	if (place.group) {
-		set_motion_state(PlantMotionState::at_rest(rest));
-		place.group->page.set_lasting_bend(index(), { 0.0f, 0.0f });
+		place.group->page.settle(index());
 	} else {
 		park();
 		parked.reset();

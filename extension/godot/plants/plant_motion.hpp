@@ -82,7 +82,7 @@ public:
 	/// is the length of the plant, in world axes. Returns false for a parked plant.
 	bool find_arm(float share, glm::vec3 &arm) const;
 	/// Puts the plant at rest along `rest`. A driven plant starts again.
-	void reset(const glm::vec3 &rest);
+	void reset();
 	/// Applies `impulse` (N·s, world axes) to the tip of a simulated or driven plant.
 	void apply_impulse(const glm::vec3 &impulse);
 	/// Applies `impulse` to a joint of the stem, 1 to its number of joints.
