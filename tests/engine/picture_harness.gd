@@ -12,8 +12,6 @@ const MIN_PLANT := 100
 const DRAWN_FRAMES := 2
 
 var stage: SubViewport
-# The stage is not drawn meanwhile, in Forward+ not even where buffers change.
-var _is_settling := false
 
 
 ## Returns a new stage. [code]stage.free()[/code] removes it with all of its nodes.
@@ -96,13 +94,12 @@ func make_reed() -> PlantFunction:
 	return species
 
 
-## Draws no stage while it waits: each frame would take longer than the build's part of it.
+## Draws nothing while it waits: each frame takes longer than the build's part of it.
 func settled(field: PlantField3D) -> void:
-	_is_settling = true
-	_draw_stage(false)
+	var is_drawn := RenderingServer.render_loop_enabled
+	RenderingServer.render_loop_enabled = false
 	await super(field)
-	_is_settling = false
-	_draw_stage(true)
+	RenderingServer.render_loop_enabled = is_drawn
 
 
 ## Waits as in all tests, but draws the stage in the last frames only. In software that takes most
@@ -118,9 +115,7 @@ func frames(count: int) -> void:
 func _draw_stage(is_drawn: bool) -> void:
 	if is_instance_valid(stage):
 		stage.render_target_update_mode = (
-			SubViewport.UPDATE_ALWAYS
-			if is_drawn and not _is_settling
-			else SubViewport.UPDATE_DISABLED
+			SubViewport.UPDATE_ALWAYS if is_drawn else SubViewport.UPDATE_DISABLED
 		)
 
 

@@ -133,8 +133,7 @@ func test_a_reed_between_two_steps_has_the_vectors_of_a_plant() -> void:
 func test_a_reed_of_two_modes_has_the_vectors_of_a_plant() -> void:
 	var species := make_reed()
 	species.stem.modes = 2
-	# The rounding of bends is a large share of short vectors.
-	await _compare(species, 8.0, 0.7)
+	await _compare(species, 5.0, 0.7)
 
 
 func test_leaves_have_the_vectors_of_a_plant() -> void:

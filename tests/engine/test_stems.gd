@@ -31,6 +31,24 @@ func test_other_laws_have_one_joint() -> void:
 	check_near(reed.get_joint_position(1), reed.get_tip_position(), TIP_TOLERANCE, "tip")
 
 
+func test_leaning_stems_nod_under_their_weight_if_they_are_to() -> void:
+	reed.species.lean = deg_to_rad(15.0)
+	var bends: Array[float] = []
+	for nods: bool in [false, true]:
+		reed.species.stem.nods = nods
+		await frames(1)
+		reed.reset_motion()
+		reed.advance(0.001)
+		bends.append(reed.get_deflection())
+	check_near(bends[0], 0.0, 1e-3, "bend of a stem that does not")
+	check(bends[1] > 0.03, "bend of one that does: %.3f" % bends[1])
+	for i in 600:
+		reed.advance(1.0 / 60.0)
+	check_near(reed.get_deflection(), bends[1], 0.002, "bend after ten seconds")
+	reed.species.lean = 0.0
+	reed.species.stem.nods = false
+
+
 func test_the_chain_of_bones_keeps_its_length() -> void:
 	for joints: int in [1, 2, 4, 8]:
 		reed.species.stem.joints = joints

@@ -88,7 +88,7 @@ struct StemStep {
 	StemTip dead_tip, air_tip; ///< Under a load of either kind.
 	float dead_slope, air_slope; ///< As in StemConstants.
 	StemAlong dead_along, air_along; ///< The same.
-	StemNod nod; ///< Twice that of StemConstants.
+	StemNod nod; ///< Its share is twice that of StemConstants.
 	float max_force; ///< N: `max_load` over `dead_slope`.
 	float softness; ///< 1 over the load, as linear slope of the tip, that a step can follow.
 	float max_place = MAX_STEM_AMPLITUDE;

@@ -281,11 +281,11 @@ glm::vec2 MotionPage::nod(const StemPage &page, int row) {
 	const glm::vec2 rest(page.rest_x[row], page.rest_z[row]);
 	const float lean = 2.0f / (1.0f + glm::dot(rest, rest));
 	const float scale = page.scale[row] * (page.air_ease ? page.air_ease[row] : 1.0f);
-	return rest * (0.5f * scale * lean * (page.step.nod.share + lean * page.step.nod.change));
+	return rest * (0.5f * scale * lean * page.step.nod.share / (1.0f + scale * page.step.nod.ease * (2.0f - lean)));
 }
 
-/// Plants from `begin` to `end` that do not move and are straight, or have the bend of their own weight alone, begin with the
-/// bend under all weights.
+/// Plants from `begin` to `end` that do not move and are straight, or have the bend of their own weight alone, begin
+/// with the bend under all weights.
 void MotionPage::settle_under_weight(int begin, int end) {
 	constexpr int TRIES = 64;
 	constexpr float MAX_ROUNDING = 1e-3f; // Of bends as half floats.

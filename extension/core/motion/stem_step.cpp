@@ -114,7 +114,7 @@ StemStep stem_step_constants(const StemConstants &stem, float step, bool above_g
 	made.air_slope = stem.air_slope;
 	made.dead_along = stem.dead_along;
 	made.air_along = stem.air_along;
-	made.nod = { 2.0f * stem.nod.share, 2.0f * stem.nod.change };
+	made.nod = { 2.0f * stem.nod.share, stem.nod.ease };
 	made.dead_tip = tip_of(stem.mode[0].dead_share, step);
 	made.dead_tip.of_rate = lossless_rate(stem, step) * made.dead_tip.of_place;
 	made.air_tip = tip_of(stem.mode[0].air_share, step);

@@ -18,6 +18,8 @@ constexpr double COSINE = 0.8191520442889918; // Of a lean of 35° against the w
 constexpr double SINE = -0.5735764363510461;
 constexpr double SLOPES[2] = { 1.0, 4.0 };
 constexpr double NODS[2] = { PI / 9.0, PI / 3.0 }; // Leans.
+constexpr double MAX_NOD_EASE = 10.0;
+constexpr double MIN_NOD_RISE = 1e-12;
 constexpr int LOADS_BETWEEN = 4; // A chain settles from the bend of a smaller load.
 constexpr float MAX_SHARE = 1.5f;
 constexpr float MAX_EASE = 1.0f;
@@ -106,7 +108,8 @@ StemAlong along_of_air(const StemChain &chain, const StemConstants &stem) {
 	});
 }
 
-// The force across a stem is like the sine of its lean: r·u with the stereographic image r.
+// The weight bends a stem by slope·sin(lean) = slope·r·u. Its stiffness is that of an upright stem under its weight,
+// which holds a leaning one too little by the part 2 - u.
 StemNod nod_of(const StemChain &chain, const StemConstants &stem) {
 	double cosines[2];
 	double factors[2];
@@ -118,10 +121,11 @@ StemNod nod_of(const StemChain &chain, const StemConstants &stem) {
 		chain.settle_dead(0.0, angles, { cosines[i], sine, true });
 		factors[i] = nearest_bend(stem, &StemMode::dead_share, tip_of(angles)) / sine;
 	}
-	const double change = (factors[0] - factors[1]) / (cosines[0] - cosines[1]);
+	const double rise = factors[1] * (1.0 - cosines[1]) - factors[0] * (1.0 - cosines[0]);
+	const double ease = std::clamp((factors[0] - factors[1]) / std::max(rise, MIN_NOD_RISE), 0.0, MAX_NOD_EASE);
 	StemNod nod;
-	nod.change = static_cast<float>(change);
-	nod.share = static_cast<float>(factors[0] - change * (1.0 + cosines[0]));
+	nod.ease = static_cast<float>(ease);
+	nod.share = static_cast<float>(factors[0] * (1.0 + ease * (1.0 - cosines[0])));
 	return nod;
 }
 

@@ -217,7 +217,7 @@ void Solver::write_shapes() {
 	write_terms(air.x5, constants.air_shape[0] + 1, 2);
 	constants.dead_along = along_of_newtons(chain, constants);
 	constants.air_along = along_of_air(chain, constants);
-	constants.nod = nod_of(chain, constants);
+	constants.nod = beam.nods ? nod_of(chain, constants) : StemNod{};
 }
 
 void Solver::write_chords() {

@@ -37,6 +37,8 @@ struct StemBeam {
 	/// True: a declared frequency is that of stems of `length`; stems of other lengths have the same stiffness.
 	bool frequency_by_length = false;
 	float frequency_deviation = 0.0f; ///< Standard deviation of plants of one length, as a fraction; 0 to 0.3.
+	/// True: straight without its weight, under which it nods where it leans (StemNod). False: straight at rest.
+	bool nods = false;
 	float damping_ratio = 0.06f; ///< Of a small swing in still air, all modes.
 
 	float head_mass = 0.0f; ///< kg.

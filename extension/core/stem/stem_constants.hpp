@@ -30,10 +30,11 @@ struct StemAlong {
 };
 
 /// Bend of the tip of a leaning stem under its own weight, with the lean's stereographic image r
-/// (motion/bend_encoding.hpp) and u = 1 + cos(lean): r·u·(share + change·u), in the frame of the rest direction.
+/// (motion/bend_encoding.hpp) and u = 1 + cos(lean): r·u·share/(1 + ease·(2 - u)), in the frame of the rest
+/// direction. Share and ease scale as `air_slope` does.
 struct StemNod {
 	float share = 0.0f;
-	float change = 0.0f;
+	float ease = 0.0f;
 };
 
 /// One oscillator of a stem, with the amplitude q (a vector in the horizontal plane, without unit). Half the deflection
@@ -76,7 +77,7 @@ struct StemConstants {
 	float axial_share = 1.0f; ///< Effect of a small load along the stem, relative to one across it.
 	StemAlong dead_along; ///< The same for a wind force of any size.
 	StemAlong air_along; ///< For a wind in m/s.
-	/// Of stems of `length`; that of others is scaled as `air_slope` is. Zero: rest directions contain the bend.
+	/// Of stems of `length`. Zero: rest directions contain the bend.
 	StemNod nod;
 	/// ψ_1, ψ_2 and the shapes of large bends X3, X5: u(x) = Σ_k q_k ψ_k + t·(n·X3 + n²·X5), t = Σ_k q_k·tip_slope and
 	/// n = min(|t|², 1), because no steady wind bends a tip below level. shape[j] has the four coefficients of

@@ -16,6 +16,7 @@ void PlantStem::write_to(StemBeam &beam) const {
 	beam.joints = joints;
 	beam.modes = modes;
 	beam.density = float(density);
+	beam.nods = nods;
 	if (is_physical()) {
 		beam.natural_frequency = 0.0f;
 		beam.youngs_modulus = float(youngs_modulus);
@@ -81,6 +82,13 @@ void PlantStem::set_taper(double share) {
 	set_number(taper, "taper", share, AS_DRAWN, 0.9);
 }
 
+void PlantStem::set_nods(bool on) {
+	if (on != nods) {
+		nods = on;
+		emit_changed();
+	}
+}
+
 void PlantStem::set_head_mass(double kilograms) {
 	set_number(head_mass, "head_mass", kilograms, AS_DRAWN, 100.0);
 }
@@ -121,6 +129,7 @@ void PlantStem::_bind_methods() {
 	PROPERTY(FLOAT, density, SLIDER("50,2000,1,or_greater,suffix:kg/m³"));
 	PROPERTY(FLOAT, diameter, SLIDER("0,0.1,0.0001,or_greater,suffix:m"));
 	PROPERTY(FLOAT, taper, SLIDER("-1,0.9,0.01"));
+	PROPERTY(BOOL, nods);
 	ADD_GROUP("Load", "");
 	PROPERTY(FLOAT, head_mass, SLIDER("-1,1,0.0001,or_greater,suffix:kg"));
 	PROPERTY(FLOAT, head_drag_area, SLIDER("-1,1,0.0001,or_greater,suffix:m²"));

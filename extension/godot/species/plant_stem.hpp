@@ -19,6 +19,7 @@ class PlantStem : public godot::Resource {
 	double density = 800.0; // kg/m³.
 	double diameter = 0.0; // m.
 	double taper = -1.0;
+	bool nods = false;
 	double head_mass = -1.0; // kg.
 	double head_drag_area = -1.0; // m².
 	double leaf_mass = -1.0; // kg.
@@ -50,6 +51,8 @@ public:
 	double get_diameter() const { return diameter; }
 	void set_taper(double share);
 	double get_taper() const { return taper; }
+	void set_nods(bool on);
+	bool get_nods() const { return nods; }
 	void set_head_mass(double kilograms);
 	double get_head_mass() const { return head_mass; }
 	void set_head_drag_area(double square_metres);

@@ -33,6 +33,7 @@ StemBeam leafy_stem(double head) {
 	beam.leaf_drag_area = 0.004f;
 	beam.head_mass = static_cast<float>(head) * beam.leaf_mass;
 	beam.head_drag_area = static_cast<float>(head) * beam.leaf_drag_area;
+	beam.nods = true;
 	return beam;
 }
 

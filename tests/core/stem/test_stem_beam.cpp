@@ -222,6 +222,7 @@ TEST_CASE("the constants of a stem have the same bits everywhere") {
 		for (const int modes : { 1, 2 }) {
 			StemBeam beam = stem_of(taper, taper);
 			beam.modes = modes;
+			beam.nods = modes == 2;
 			beam.head_drag_area = 0.001f;
 			beam.head_centre = 0.01f;
 			beam.loads = { { 0.3f, 0.0002f, 0.0005f } };
@@ -229,5 +230,5 @@ TEST_CASE("the constants of a stem have the same bits everywhere") {
 			hash.add(&solution.constants, 1).add(solution.frequencies, 2).add(&solution.youngs_modulus, 1);
 		}
 	}
-	CHECK(hash.value() == 2857533288784831709ull);
+	CHECK(hash.value() == 13342818083396014621ull);
 }
