@@ -161,29 +161,30 @@ func test_a_refused_build_draws_nothing() -> void:
 
 ## The shown pose is in the history on the graphics card, up to the last step.
 func test_a_follower_in_waves() -> void:
-	var function := TulipFunction.new()
-	function.law = PlantFunction.LAW_SPRING
-	function.damping_ratio = 1.0
-	_field.prototypes = 1
-	_field.wind.kind = PlantWind.KIND_WAVES
-	_field.wind.strength = 10.0
+	var function := _make_follower()
 	_field.wind.frequency = 0.02  # A difference of a fraction of a step is not visible.
 	await _compare(function, Transform3D(Basis(Vector3.UP, 0.7), Vector3(0.1, 0, 0.2)))
 
 
 func test_a_follower_while_the_wind_turns() -> void:
-	var function := TulipFunction.new()
-	function.law = PlantFunction.LAW_SPRING
-	function.damping_ratio = 1.0
-	_field.prototypes = 1
-	_field.wind.kind = PlantWind.KIND_WAVES
-	_field.wind.strength = 10.0
+	var function := _make_follower()
 	_field.wind.frequency = 0.03
 	_field.wind.travel_speed = 0.5
 	_turn = PI
 	# Afterwards waves come from this plant, which is not in view.
 	_field.add_plants([Transform3D(Basis.IDENTITY, Vector3(2.6, 0, 1.5))], function)
 	await _compare(function, Transform3D(Basis(Vector3.UP, 0.7), Vector3(0.1, 0, 0.2)))
+
+
+## Lets the field's plants follow a prototype in waves, and returns their species.
+func _make_follower() -> PlantFunction:
+	var function := TulipFunction.new()
+	function.law = PlantFunction.LAW_SPRING
+	function.damping_ratio = 1.0
+	_field.prototypes = 1
+	_field.wind.kind = PlantWind.KIND_WAVES
+	_field.wind.strength = 10.0
+	return function
 
 
 func test_followers_at_rest_are_equal_in_another_material() -> void:

@@ -30,8 +30,8 @@ constexpr int MIDRIB_POINTS = 3;
 struct Candidate {
 	int carriers = 0;
 	int parts = 0; ///< With all that they carry.
-	int petals =
-			0; ///< The same, where each lobe of an open tube counts: a bell is five petals that have grown together.
+	/// The same, where each lobe of an open tube counts: a bell is five petals that have grown together.
+	int petals = 0;
 	int direct = 0;
 	float low = 1.0f; ///< Offsets.
 	float high = 0.0f;

@@ -120,6 +120,9 @@ void MotionPage::put_rest(int index, const glm::vec3 &rest) {
 }
 
 static void shift_tip(MotionPage &page, int index, const glm::vec2 &by) {
+	if (by == glm::vec2(0.0f)) {
+		return;
+	}
 	glm::vec2 modes[MAX_STEM_MODES];
 	divide_tip(page.stem_constants(), by, modes);
 	StemState state = page.stem(index);
@@ -131,8 +134,7 @@ static void shift_tip(MotionPage &page, int index, const glm::vec2 &by) {
 
 // The deflection from the bend under its own weight is preserved.
 void MotionPage::set_plant(int index, const MotionPlant &plant) {
-	const bool nods = is_swinging && kind.law == Law::stem && kind.stem.nod.share != 0.0f;
-	const glm::vec2 before = nods ? nod(stem_page(0), index) : glm::vec2(0.0f);
+	const glm::vec2 before = nod(index);
 	if (plant.root != root(index) || kind.canopy_height <= 0.0f) { // Isolated plants have the wind at their tops.
 		ahead.forget();
 	}
@@ -143,20 +145,14 @@ void MotionPage::set_plant(int index, const MotionPlant &plant) {
 	if (is_swinging) {
 		update_constants(index, index + 1);
 	}
-	const glm::vec2 after = nods ? nod(stem_page(0), index) : glm::vec2(0.0f);
-	if (after != before) {
-		shift_tip(*this, index, after - before);
-	}
+	shift_tip(*this, index, nod(index) - before);
 }
 
 void MotionPage::set_rests(int first, const glm::vec3 *rests, int count) {
-	const bool nods = is_swinging && kind.law == Law::stem && kind.stem.nod.share != 0.0f;
 	for (int i = first; i < first + count; i++) {
-		const glm::vec2 before = nods ? nod(stem_page(0), i) : glm::vec2(0.0f);
+		const glm::vec2 before = nod(i);
 		put_rest(i, rests[i - first]);
-		if (nods) {
-			shift_tip(*this, i, nod(stem_page(0), i) - before);
-		}
+		shift_tip(*this, i, nod(i) - before);
 	}
 }
 

@@ -313,8 +313,8 @@ private:
 	void step_block(const KernelSet &set, int begin, int count, const PlantWinds &winds, const PlantAir &air);
 	void straighten(int index);
 	void carry(const Precipitation &precipitation);
-	/// Bend of a tip under the stem's own weight (StemNod), in the frame of the rest.
-	static glm::vec2 nod(const StemPage &page, int row);
+	/// Bend of a tip under the stem's own weight (StemNod), in the frame of the rest; 0 if stems do not nod.
+	glm::vec2 nod(int row);
 	void settle_under_weight(int begin, int end);
 	bool find_calm_bends(
 			const KernelSet &set, const StemPage &block, int begin, int count, const CalmBends &calm) const;

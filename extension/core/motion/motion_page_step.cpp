@@ -277,7 +277,11 @@ bool MotionPage::find_calm_bends(
 	return true;
 }
 
-glm::vec2 MotionPage::nod(const StemPage &page, int row) {
+glm::vec2 MotionPage::nod(int row) {
+	if (!is_swinging || kind.law != Law::stem || kind.stem.nod.share == 0.0f) {
+		return glm::vec2(0.0f);
+	}
+	const StemPage page = stem_page(0);
 	const glm::vec2 rest(page.rest_x[row], page.rest_z[row]);
 	const float lean = 2.0f / (1.0f + glm::dot(rest, rest));
 	const float scale = page.scale[row] * (page.air_ease ? page.air_ease[row] : 1.0f);
@@ -296,10 +300,9 @@ void MotionPage::settle_under_weight(int begin, int end) {
 	const KernelSet &set = kernels(best_simd_level());
 	float share[MAX_STEM_MODES];
 	write_shares(kind.stem, share);
-	const StemPage page = stem_page(0);
 	for (int row = begin; row < end; row++) {
 		StemState state = stem(row);
-		const glm::vec2 own = nod(page, row);
+		const glm::vec2 own = nod(row);
 		const glm::vec2 tip = tip_bend(kind.stem, state);
 		const bool is_still = std::min(glm::length(tip), glm::length(tip - own)) < MAX_ROUNDING &&
 				glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;

@@ -106,12 +106,11 @@ void PlantMotion::leave_simulation() {
 
 void PlantMotion::simulate(PlantSimulation *simulation, const MovedPlant &moved) {
 	park();
-	const std::optional<PlantMotionState> before = parked;
 	const PlantFrame axes = frame_of(moved);
 	place = simulation->enter(
 			plant, { moved.species, moved.wind, axes, moved.forces, moved.taller }, row_of(moved, axes), own_bone);
-	if (before) {
-		set_motion_state(*before);
+	if (parked) {
+		set_motion_state(*parked);
 	}
 }
 
@@ -121,15 +120,14 @@ bool PlantMotion::is_driven() const {
 
 void PlantMotion::drive(const MovedPlant &moved) {
 	park();
-	const std::optional<PlantMotionState> before = parked;
 	const PlantFrame axes = frame_of(moved);
 	ForceSettings forces;
 	forces.world = moved.forces.world;
 	driven = std::make_unique<DrivenPlant>(PlantKind{ moved.species, {}, axes, forces, moved.taller },
 			PlantSimulation::get_singleton()->get_step_length());
 	driven->group.add(plant, row_of(moved, axes), own_bone);
-	if (before) {
-		set_motion_state(*before);
+	if (parked) {
+		set_motion_state(*parked);
 	}
 }
 

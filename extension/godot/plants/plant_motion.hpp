@@ -81,7 +81,7 @@ public:
 	/// Sets `arm` to the vector from the root to a point on the plant: from the root (share 0) to the tip (1). The unit
 	/// is the length of the plant, in world axes. Returns false for a parked plant.
 	bool find_arm(float share, glm::vec3 &arm) const;
-	/// Puts the plant at rest along `rest`. A driven plant starts again.
+	/// Puts the plant at rest. A driven plant starts again.
 	void reset();
 	/// Applies `impulse` (N·s, world axes) to the tip of a simulated or driven plant.
 	void apply_impulse(const glm::vec3 &impulse);

@@ -60,7 +60,7 @@ func bake_next() -> String:
 	_next += 1
 	if part < meshes:
 		return _bake_level(variant, part)
-	return _bake_scene(variant) if _options.with_scene and part == meshes else _bake_model(variant)
+	return _bake_scene(variant, part > meshes or not _options.with_scene)
 
 
 ## Returns the plain mesh of one level: one surface with its material and without bones.
@@ -104,22 +104,13 @@ func _bake_level(variant: int, level: int) -> String:
 	return _note(path, problem)
 
 
-func _bake_scene(variant: int) -> String:
-	var path := _options.get_scene_path(variant)
+func _bake_scene(variant: int, for_model: bool) -> String:
+	var path := _options.get_model_path(variant) if for_model else _options.get_scene_path(variant)
 	var problem := _prepare(variant, 0, path)
 	if problem.is_empty():
-		var root := make_scene(variant)
-		problem = ProjectFiles.save_scene(root, path)
-		root.free()
-	return _note(path, problem)
-
-
-func _bake_model(variant: int) -> String:
-	var path := _options.get_model_path(variant)
-	var problem := _prepare(variant, 0, path)
-	if problem.is_empty():
-		var root := make_scene(variant, true)
-		problem = ProjectFiles.save_model(root, path)
+		var root := make_scene(variant, for_model)
+		var save := ProjectFiles.save_model if for_model else ProjectFiles.save_scene
+		problem = save.call(root, path)
 		root.free()
 	return _note(path, problem)
 

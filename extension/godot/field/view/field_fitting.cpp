@@ -58,8 +58,8 @@ static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
 static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
 static constexpr float MAX_COARSENING = 64.0f;
 static constexpr float COARSENED_FROM = 1.5f; // m.
-static constexpr float MAX_COARSENING_OF_SOLID =
-		2.0f; // Beyond it, the nearest plants of a dense field have cards, too.
+// Beyond it, the nearest plants of a dense field have cards, too.
+static constexpr float MAX_COARSENING_OF_SOLID = 2.0f;
 
 // Distances (m) at which levels of plants without parts begin, by segments.
 static float lathe_begin(int segments) {
