@@ -55,15 +55,25 @@ uint16_t approached_plants(const DensityCell &cell, float end, float share) {
 DensityCell mean_around(const DensityMap &map, int layer, int column, int row) {
 	int density = 0;
 	int height = 0;
+	int scale_jitter = 0;
+	int color_jitter = 0;
 	float plants = 0.0f;
 	for (int i = 0; i < 9; i++) {
 		const DensityCell cell = map.cell(layer, column + i % 3 - 1, row + i / 3 - 1);
 		density += cell.density;
 		height += cell.height;
+		scale_jitter += cell.scale_jitter;
+		color_jitter += cell.color_jitter;
 		plants += cell.plant_density();
 	}
-	return { static_cast<uint8_t>((density + 4) / 9), static_cast<uint8_t>((height + 4) / 9),
-		plants_code(plants / 9.0f) };
+	const auto mean = [](int sum) { return static_cast<uint8_t>((sum + 4) / 9); };
+	return { mean(density), mean(height), plants_code(plants / 9.0f), mean(scale_jitter), mean(color_jitter) };
+}
+
+DensityCell smoothed(const DensityCell &cell, const DensityCell &mean, float share) {
+	return { approached(cell.density, mean.density, share), approached(cell.height, mean.height, share),
+		approached_plants(cell, mean.plant_density(), share), approached(cell.scale_jitter, mean.scale_jitter, share),
+		approached(cell.color_jitter, mean.color_jitter, share) };
 }
 
 DensityCell changed(DensityCell cell, const DensityStroke &stroke, float weight) {
@@ -78,6 +88,11 @@ DensityCell changed(DensityCell cell, const DensityStroke &stroke, float weight)
 	} else if (stroke.does == DensityStroke::Does::approach_plants) {
 		cell.density = approached(cell.density, 0.0f, share);
 		cell.plants = approached_plants(cell, stroke.value, share);
+	} else if (stroke.does == DensityStroke::Does::set_scale_jitter) {
+		const float end = std::min(stroke.value, DensityCell::MAX_SCALE_JITTER);
+		cell.scale_jitter = approached(cell.scale_jitter, static_cast<float>(density_code(end)), share);
+	} else if (stroke.does == DensityStroke::Does::set_color_jitter) {
+		cell.color_jitter = approached(cell.color_jitter, static_cast<float>(density_code(stroke.value)), share);
 	} else {
 		cell.height = approached(cell.height, static_cast<float>(height_code(stroke.value)), share);
 	}
@@ -107,8 +122,8 @@ private:
 	CellRange cells;
 };
 
-/// Sets all cells in a polygon except for their heights.
-CellRange fill_cells(DensityMap &map, int layer, const Polygon &polygon, DensityCell wanted) {
+/// Sets both densities of all cells in a polygon.
+CellRange fill_cells(DensityMap &map, int layer, const Polygon &polygon, uint8_t density, uint16_t plants) {
 	const CellRange cells = map.cells_around(bounding_box(polygon));
 	Changes changes(map, layer);
 	for (int row = cells.first_row; row <= cells.last_row; row++) {
@@ -116,8 +131,10 @@ CellRange fill_cells(DensityMap &map, int layer, const Polygon &polygon, Density
 		const AreaRow edges(polygon, {}, z, z);
 		for (int column = cells.first_column; column <= cells.last_column; column++) {
 			if (edges.holds(map.middle_of(column, row))) {
-				wanted.height = map.cell(layer, column, row).height;
-				changes.set(column, row, wanted);
+				DensityCell cell = map.cell(layer, column, row);
+				cell.density = density;
+				cell.plants = plants;
+				changes.set(column, row, cell);
 			}
 		}
 	}
@@ -177,10 +194,7 @@ CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const Den
 		const DensityCell cell = map.cell(layer, column, row);
 		if (smooths) {
 			const DensityCell mean = mean_around(before, layer, column, row);
-			const float share = weight * stroke.strength;
-			changes.set(column, row,
-					{ approached(cell.density, mean.density, share), approached(cell.height, mean.height, share),
-							approached_plants(cell, mean.plant_density(), share) });
+			changes.set(column, row, smoothed(cell, mean, weight * stroke.strength));
 		} else {
 			changes.set(column, row, changed(cell, stroke, weight));
 		}
@@ -189,11 +203,11 @@ CellRange paint(DensityMap &map, int layer, const DensityBrush &brush, const Den
 }
 
 CellRange fill_polygon(DensityMap &map, int layer, const Polygon &polygon, float density) {
-	return fill_cells(map, layer, polygon, { density_code(density), DensityCell::USUAL_HEIGHT, 0 });
+	return fill_cells(map, layer, polygon, density_code(density), 0);
 }
 
 CellRange fill_polygon_plants(DensityMap &map, int layer, const Polygon &polygon, float plants) {
-	return fill_cells(map, layer, polygon, { 0, DensityCell::USUAL_HEIGHT, plants_code(plants) });
+	return fill_cells(map, layer, polygon, 0, plants_code(plants));
 }
 
 } // namespace undergrowth

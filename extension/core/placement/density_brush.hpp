@@ -24,8 +24,10 @@ struct DensityStroke {
 		add, ///< Adds `value`, -1 to 1, to the density. A value below 0 also reduces plants/m² by that fraction.
 		approach, ///< Moves the density to `value`, 0 to 1, and plants/m² to 0, by `strength` of the way.
 		approach_plants, ///< Moves plants/m² to `value`, and the density to 0, by `strength` of the way.
-		smooth, ///< Moves density, plants/m² and height to the mean of nine cells, by `strength` of the way.
+		smooth, ///< Moves all values of a cell to the mean of nine cells, by `strength` of the way.
 		set_height, ///< Moves the height factor to `value`, by `strength` of the way.
+		set_scale_jitter, ///< Moves the jitter to `value`, 0 to 1, by `strength` of the way.
+		set_color_jitter,
 	};
 
 	Does does = Does::add;

@@ -11,6 +11,7 @@ namespace {
 constexpr char LETTERS[] = "UGDM";
 constexpr uint32_t WITHOUT_PLANTS = 1;
 constexpr uint32_t WITH_PLANTS = 2;
+constexpr uint32_t WITH_JITTER = 3;
 constexpr int BYTE = 8;
 constexpr std::size_t MAX_LITERALS = 128;
 constexpr std::size_t MIN_RUN = 3;
@@ -71,16 +72,23 @@ bool is_near(const DensityMap &map, const TileKey &key) {
 	return key.column >= first.column && key.column <= last.column && key.row >= first.row && key.row <= last.row;
 }
 
-bool has_plants(const DensityMap &map) {
+uint32_t version_of(const DensityBlock &block) {
+	const auto is_some = [](int code) { return code != 0; };
+	const auto has_any = [&](const auto &plane) { return std::any_of(plane.begin(), plane.end(), is_some); };
+	if (has_any(block.scale_jitter) || has_any(block.color_jitter)) {
+		return WITH_JITTER;
+	}
+	return has_any(block.plants) ? WITH_PLANTS : WITHOUT_PLANTS;
+}
+
+uint32_t version_of(const DensityMap &map) {
+	uint32_t version = WITHOUT_PLANTS;
 	for (int layer = 0; layer < map.layer_count(); layer++) {
 		for (const auto &[key, block] : map.blocks(layer)) {
-			const auto is_some = [](uint16_t code) { return code != 0; };
-			if (std::any_of(block->plants.begin(), block->plants.end(), is_some)) {
-				return true;
-			}
+			version = std::max(version, version_of(*block));
 		}
 	}
-	return false;
+	return version;
 }
 
 void put_plants(std::vector<uint8_t> &to, const DensityBlock &block) {
@@ -108,8 +116,12 @@ bool read_block(ByteReader &from, uint32_t version, int layer, DensityMap &map) 
 	DensityBlock block;
 	read_plane(from, block.density);
 	read_plane(from, block.height);
-	if (version == WITH_PLANTS) {
+	if (version >= WITH_PLANTS) {
 		read_plants(from, block);
+	}
+	if (version >= WITH_JITTER) {
+		read_plane(from, block.scale_jitter);
+		read_plane(from, block.color_jitter);
 	}
 	if (!from.is_sound() || !is_near(map, { column, row })) {
 		return false;
@@ -118,7 +130,7 @@ bool read_block(ByteReader &from, uint32_t version, int layer, DensityMap &map) 
 		const auto x = static_cast<int>(i % DensityBlock::SIDE);
 		const auto z = static_cast<int>(i / DensityBlock::SIDE);
 		map.set_cell(layer, column * DensityBlock::SIDE + x, row * DensityBlock::SIDE + z,
-				{ block.density[i], block.height[i], block.plants[i] });
+				{ block.density[i], block.height[i], block.plants[i], block.scale_jitter[i], block.color_jitter[i] });
 	}
 	return true;
 }
@@ -152,7 +164,7 @@ const char *describe(DensityFault fault) {
 }
 
 std::vector<uint8_t> write_density(const DensityMap &map) {
-	const uint32_t version = has_plants(map) ? WITH_PLANTS : WITHOUT_PLANTS;
+	const uint32_t version = version_of(map);
 	std::vector<uint8_t> bytes = ByteFrame::begin(LETTERS, version);
 	put_float(bytes, map.cell_size());
 	put_number(bytes, static_cast<uint64_t>(map.layer_count()), 2);
@@ -164,8 +176,12 @@ std::vector<uint8_t> write_density(const DensityMap &map) {
 			put_number(bytes, static_cast<uint32_t>(key.row), 4);
 			put_plane(bytes, block->density);
 			put_plane(bytes, block->height);
-			if (version == WITH_PLANTS) {
+			if (version >= WITH_PLANTS) {
 				put_plants(bytes, *block);
+			}
+			if (version >= WITH_JITTER) {
+				put_plane(bytes, block->scale_jitter);
+				put_plane(bytes, block->color_jitter);
 			}
 		}
 	}
@@ -180,8 +196,8 @@ DensityFault read_density(const uint8_t *bytes, std::size_t count, DensityMap &m
 	}
 	uint32_t version = WITHOUT_PLANTS;
 	BytesFault fault = ByteFrame::check(LETTERS, version, bytes, count);
-	if (fault == BytesFault::later_version) {
-		version = WITH_PLANTS;
+	while (fault == BytesFault::later_version && version < WITH_JITTER) {
+		version++;
 		fault = ByteFrame::check(LETTERS, version, bytes, count);
 	}
 	if (fault != BytesFault::none) {

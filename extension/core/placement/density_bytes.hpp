@@ -23,11 +23,11 @@ const char *describe(DensityFault fault);
 /// Header: "UGDM", version (16 bits), total length (32 bits), cell size (float), number of layers (16 bits).
 /// Each layer: name (its length in 8 bits) and number of blocks (32 bits).
 /// Each block: column and row (32 bits each), densities, heights; ascending by column and row. Version 2 adds the lower
-/// and then the higher bytes of its plants/m².
+/// and then the higher bytes of its plants/m². Version 3 also adds its jitter of scale, and then of color.
 /// End: FNV-1a (32 bits) of everything before.
 /// The arrays of a block consist of runs. A byte n below 128 is followed by n + 1 codes. A byte n from 128 on is
-/// followed by one code that repeats n - 125 times. Maps without plants/m² are written as version 1, which release 0.2
-/// reads.
+/// followed by one code that repeats n - 125 times. A map has the lowest version that contains its values: release 0.2 reads
+/// version 1.
 std::vector<uint8_t> write_density(const DensityMap &map);
 
 /// Reads the output of write_density(). After a fault `map` is unchanged. No bytes at all are an empty map.

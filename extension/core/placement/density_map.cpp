@@ -29,13 +29,17 @@ DensityBlock::DensityBlock() {
 	density.fill(0);
 	height.fill(DensityCell::USUAL_HEIGHT);
 	plants.fill(0);
+	scale_jitter.fill(0);
+	color_jitter.fill(0);
 }
 
 bool DensityBlock::is_empty() const {
 	const auto is_usual = [](uint8_t code) { return code == DensityCell::USUAL_HEIGHT; };
 	const auto is_zero = [](int code) { return code == 0; };
 	return std::all_of(density.begin(), density.end(), is_zero) && std::all_of(plants.begin(), plants.end(), is_zero) &&
-			std::all_of(height.begin(), height.end(), is_usual);
+			std::all_of(height.begin(), height.end(), is_usual) &&
+			std::all_of(scale_jitter.begin(), scale_jitter.end(), is_zero) &&
+			std::all_of(color_jitter.begin(), color_jitter.end(), is_zero);
 }
 
 double CellRange::count() const {
@@ -122,7 +126,8 @@ DensityCell DensityMap::cell(int layer, int column, int row) const {
 		return {};
 	}
 	const std::size_t i = index_of(column, row, key);
-	return { found->second->density[i], found->second->height[i], found->second->plants[i] };
+	const DensityBlock &block = *found->second;
+	return { block.density[i], block.height[i], block.plants[i], block.scale_jitter[i], block.color_jitter[i] };
 }
 
 DensityCell DensityMap::cell_at(int layer, const glm::vec2 &place) const {
@@ -153,6 +158,8 @@ void DensityMap::set_cell(int layer, int column, int row, const DensityCell &wan
 	block.density[i] = wanted.density;
 	block.height[i] = std::max(wanted.height, DensityCell::MIN_HEIGHT);
 	block.plants[i] = wanted.plants;
+	block.scale_jitter[i] = wanted.scale_jitter;
+	block.color_jitter[i] = wanted.color_jitter;
 	block.may_have_plants = block.may_have_plants || wanted.plants > 0;
 }
 

@@ -23,12 +23,18 @@ struct DensityCell {
 	static constexpr uint16_t MAX_PLANTS = 65535; ///< Means MAX_PLANT_DENSITY.
 	static constexpr float MAX_PLANT_DENSITY = 1.0e4f; ///< Plants/m².
 
+	static constexpr uint8_t MAX_JITTER = 255; ///< Means 1.
+	static constexpr float MAX_SCALE_JITTER = 0.9f; ///< Every plant remains larger than 0.
+
 	uint8_t density = 0; ///< Fraction of the mix.
 	uint8_t height = USUAL_HEIGHT;
 	uint16_t plants = 0; ///< Square root of the plants/m², for equal relative precision of sparse and dense values.
+	uint8_t scale_jitter = 0; ///< MAX_JITTER means 1.
+	uint8_t color_jitter = 0;
 
 	bool operator==(const DensityCell &other) const {
-		return density == other.density && height == other.height && plants == other.plants;
+		return density == other.density && height == other.height && plants == other.plants &&
+				scale_jitter == other.scale_jitter && color_jitter == other.color_jitter;
 	}
 	bool operator!=(const DensityCell &other) const { return !(*this == other); }
 	/// 0 to 1.
@@ -40,6 +46,10 @@ struct DensityCell {
 		const float root = static_cast<float>(plants) / static_cast<float>(MAX_PLANTS);
 		return root * root * MAX_PLANT_DENSITY;
 	}
+	/// 0 to MAX_SCALE_JITTER: scales are multiplied by 1 ± this, in addition to the species' own range.
+	float scale_range() const { return static_cast<float>(scale_jitter) / static_cast<float>(MAX_JITTER); }
+	/// 0 to 1: strength of random colors.
+	float color_range() const { return static_cast<float>(color_jitter) / static_cast<float>(MAX_JITTER); }
 };
 
 /// A square of SIDE by SIDE cells: the unit of allocation.
@@ -50,6 +60,8 @@ struct DensityBlock {
 	std::array<uint8_t, CELLS> density; ///< Row by row, by increasing x.
 	std::array<uint8_t, CELLS> height; ///< In the same order.
 	std::array<uint16_t, CELLS> plants; ///< In the same order.
+	std::array<uint8_t, CELLS> scale_jitter; ///< In the same order.
+	std::array<uint8_t, CELLS> color_jitter; ///< In the same order.
 	/// False: all of `plants` are 0. True: they may be 0, too.
 	bool may_have_plants = false;
 
@@ -72,8 +84,8 @@ struct CellRange {
 	void take_in(const CellRange &other);
 };
 
-/// The painted density map of a field. For each species it has a layer with that species' name: density, plants/m² and
-/// height by position. Cells are squares in the field's axes (x, z), up to FARTHEST_COORDINATE on all sides. Only
+/// The painted density map of a field. For each species it has a layer with that species' name: density, plants/m²,
+/// height and jitter of scale and color by position. Cells are squares in the field's axes (x, z), up to FARTHEST_COORDINATE on all sides. Only
 /// painted blocks exist. Unpainted cells have a density of 0.
 ///
 /// Only one thread may change a map. The results of share() and cut() have the same cells at low cost. They can be read

@@ -25,6 +25,8 @@ constexpr double DRIFT_FRAY = 0.2;
 constexpr double FULL_TURN = 2.0 * PI;
 /// Factor of height that the plants of a clump share, to both sides of 1.
 constexpr double CLUMP_HEIGHT = 0.25;
+/// Gives painted jitter its own random numbers.
+constexpr uint64_t JITTER_SEED = 0x6A09E667F3BCC909u;
 /// Only an area that crosses itself many times can have plants in more cells.
 constexpr std::size_t MAX_CANDIDATES = 4 * static_cast<std::size_t>(PlacementRequest::MAX_PLANTS);
 
@@ -46,6 +48,18 @@ double row_middle(int row) {
 int floor_to_int(double value) {
 	constexpr int BOUND = 1000000000;
 	return bounded_whole(std::floor(value), -BOUND, BOUND);
+}
+
+/// Changes scale and color by the painted jitter of a cell.
+void add_jitter(const DensityCell &cell, uint64_t bits, PlacedPlant &plant) {
+	const auto noise = [bits](int part) { return static_cast<float>(2.0 * unit16(bits, part) - 1.0); };
+	if (cell.scale_jitter > 0) {
+		plant.scale *= 1.0f + cell.scale_range() * noise(0);
+	}
+	if (cell.color_jitter > 0) {
+		plant.lightness = cell.color_range() * noise(1);
+		plant.warmth = cell.color_range() * noise(2);
+	}
 }
 
 /// Margin around positions (m), much larger than the rounding of coordinates.
@@ -224,7 +238,9 @@ void Placement::place_cell(int column, int row, const AreaRow &edges, FieldPlant
 		comb(species, mix_bits(shape ^ drift_seed), plant);
 	}
 	if (request.map) {
-		plant.height *= request.map->cell_at(species.layer, root).height_factor();
+		const DensityCell cell = request.map->cell_at(species.layer, root);
+		plant.height *= cell.height_factor();
+		add_jitter(cell, mix_bits(shape ^ JITTER_SEED), plant);
 	}
 	plant.height *= *at_edge;
 	plants.add(plant);

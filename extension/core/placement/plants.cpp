@@ -17,6 +17,8 @@ constexpr double LEAN_CODES = 65535.0 / (PI / 2.0);
 constexpr double COSINE_SLACK = 1.0e-7; ///< Rounding error of a float normal.
 
 constexpr int MAX_CODE = 65535;
+constexpr int MAX_COLOR_CODE = 127;
+constexpr float COLOR_CODES = static_cast<float>(MAX_COLOR_CODE);
 /// Limits of scales: lengths stay finite and above 0.
 constexpr float MIN_SCALE = 1.0e-6f;
 constexpr float MAX_SCALE = 1.0e6f;
@@ -34,6 +36,11 @@ uint16_t turn_code(double turn) {
 	const double share = turn / (2.0 * PI);
 	const int code = bounded_whole(std::floor((share - std::floor(share)) * TURN_CODES + 0.5), 0, MAX_CODE + 1);
 	return static_cast<uint16_t>(code & MAX_CODE);
+}
+
+int8_t color_code(float value) {
+	const double code = std::floor(static_cast<double>(value * COLOR_CODES) + 0.5);
+	return static_cast<int8_t>(bounded_whole(code, -MAX_COLOR_CODE, MAX_COLOR_CODE));
 }
 
 template <class T> void append_column(std::vector<T> &column, const std::vector<T> &more) {
@@ -95,7 +102,8 @@ void align(PlacedPlant &plant, const glm::vec3 &normal, double share) {
 bool is_valid(const PlacedPlant &plant) {
 	const bool finite = std::isfinite(plant.root.x) && std::isfinite(plant.root.y) && std::isfinite(plant.root.z) &&
 			std::isfinite(plant.scale) && std::isfinite(plant.turn) && std::isfinite(plant.height) &&
-			std::isfinite(plant.lean) && std::isfinite(plant.side);
+			std::isfinite(plant.lean) && std::isfinite(plant.side) && std::isfinite(plant.lightness) &&
+			std::isfinite(plant.warmth);
 	return finite && plant.scale >= MIN_SCALE && plant.scale <= MAX_SCALE && plant.species >= 0 &&
 			plant.species <= 255 && plant.variant >= 0 && plant.variant <= 255;
 }
@@ -111,6 +119,8 @@ void FieldPlants::reserve(std::size_t count) {
 	side.reserve(count);
 	species.reserve(count);
 	variant.reserve(count);
+	lightness.reserve(count);
+	warmth.reserve(count);
 }
 
 void FieldPlants::resize(std::size_t count) {
@@ -124,6 +134,8 @@ void FieldPlants::resize(std::size_t count) {
 	side.resize(count);
 	species.resize(count);
 	variant.resize(count);
+	lightness.resize(count);
+	warmth.resize(count);
 }
 
 bool FieldPlants::add(const PlacedPlant &plant) {
@@ -140,6 +152,8 @@ bool FieldPlants::add(const PlacedPlant &plant) {
 	side.push_back(turn_code(plant.side));
 	species.push_back(static_cast<uint8_t>(plant.species));
 	variant.push_back(static_cast<uint8_t>(plant.variant));
+	lightness.push_back(color_code(plant.lightness));
+	warmth.push_back(color_code(plant.warmth));
 	return true;
 }
 
@@ -154,6 +168,8 @@ void FieldPlants::append(const FieldPlants &other) {
 	append_column(side, other.side);
 	append_column(species, other.species);
 	append_column(variant, other.variant);
+	append_column(lightness, other.lightness);
+	append_column(warmth, other.warmth);
 }
 
 PlacedPlant FieldPlants::plant(int index) const {
@@ -167,6 +183,8 @@ PlacedPlant FieldPlants::plant(int index) const {
 	plant.side = static_cast<float>(side[i] * (2.0 * PI / TURN_CODES));
 	plant.species = species[i];
 	plant.variant = variant[i];
+	plant.lightness = static_cast<float>(lightness[i]) / COLOR_CODES;
+	plant.warmth = static_cast<float>(warmth[i]) / COLOR_CODES;
 	return plant;
 }
 
@@ -183,6 +201,8 @@ void FieldPlants::copy(int from, int to) {
 	side[t] = side[f];
 	species[t] = species[f];
 	variant[t] = variant[f];
+	lightness[t] = lightness[f];
+	warmth[t] = warmth[f];
 }
 
 FieldPlants FieldPlants::reordered(const std::vector<int> &order) const {
@@ -197,6 +217,8 @@ FieldPlants FieldPlants::reordered(const std::vector<int> &order) const {
 	sorted.side = pick(side, order);
 	sorted.species = pick(species, order);
 	sorted.variant = pick(variant, order);
+	sorted.lightness = pick(lightness, order);
+	sorted.warmth = pick(warmth, order);
 	return sorted;
 }
 
@@ -216,7 +238,7 @@ void FieldPlants::remove(const std::vector<int> &ascending) {
 std::size_t FieldPlants::bytes() const {
 	return (x.capacity() + y.capacity() + z.capacity() + scale.capacity()) * sizeof(float) +
 			(turn.capacity() + height.capacity() + lean.capacity() + side.capacity()) * sizeof(uint16_t) +
-			species.capacity() + variant.capacity();
+			species.capacity() + variant.capacity() + lightness.capacity() + warmth.capacity();
 }
 
 int apply_ground(FieldPlants &plants, const float *heights, const glm::vec3 *normals, const GroundLimits &limits) {

@@ -18,18 +18,20 @@ struct PlacedPlant {
 	float side = 0.0f; ///< rad, side of the lean: around +y from the plant's own +x; any, stored from 0 to 2π.
 	int species = 0; ///< 0 to 255.
 	int variant = 0; ///< 0 to 255, in the species' pool of meshes.
+	float lightness = 0.0f; ///< -1 to 1, of a painted jitter of its color; 0: that of its species.
+	float warmth = 0.0f; ///< The same, from bluish to yellowish.
 };
 
 /// True if all numbers are finite, and scale, species and variant are in range.
 bool is_valid(const PlacedPlant &plant);
 
-/// Placed plants in struct-of-arrays: 26 bytes a plant. Columns have equal lengths.
+/// Placed plants in struct-of-arrays: 28 bytes a plant. Columns have equal lengths.
 ///
 /// Turn, side, height and lean have 16 bits each, with resolutions of 1e-4 rad, 1e-4 rad, 1.3e-4 and 2.4e-5 rad.
-/// Heights and leans out of range are clamped.
+/// Lightness and warmth have 8 bits. Values out of range are clamped.
 struct FieldPlants {
 	static constexpr float MAX_HEIGHT = 8.0f;
-	static constexpr std::size_t PLANT_BYTES = 26;
+	static constexpr std::size_t PLANT_BYTES = 28;
 
 	std::vector<float> x; ///< m, field axes, of roots; y and z alike.
 	std::vector<float> y;
@@ -41,6 +43,8 @@ struct FieldPlants {
 	std::vector<uint16_t> side; ///< 2π/65536 rad.
 	std::vector<uint8_t> species;
 	std::vector<uint8_t> variant;
+	std::vector<int8_t> lightness; ///< 1/127.
+	std::vector<int8_t> warmth; ///< 1/127.
 
 	int size() const { return static_cast<int>(x.size()); }
 	void reserve(std::size_t count);

@@ -9,7 +9,7 @@ namespace {
 bool are_alike(const FieldPlants &some, std::size_t i, const FieldPlants &others, std::size_t j) {
 	return some.species[i] == others.species[j] && some.variant[i] == others.variant[j] &&
 			some.height[i] == others.height[j] && some.scale[i] == others.scale[j] && some.x[i] == others.x[j] &&
-			some.z[i] == others.z[j];
+			some.z[i] == others.z[j] && some.lightness[i] == others.lightness[j] && some.warmth[i] == others.warmth[j];
 }
 
 } // namespace

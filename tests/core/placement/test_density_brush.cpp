@@ -95,6 +95,33 @@ TEST_CASE("heights reach their value, and density is unchanged") {
 	CHECK(map.cell(layer, 0, 0).height_factor() == doctest::Approx(255.0f / 64.0f));
 }
 
+TEST_CASE("jitter of scale and color reaches its value, and all other values stay") {
+	DensityMap map;
+	const int layer = map.need_layer("Poppy");
+	const DensityBrush disc = { { 0.0f, 0.0f }, 3.0f, 0.0f };
+	paint(map, layer, disc, { DensityStroke::Does::approach_plants, 7.0f, 1.0f });
+	paint(map, layer, disc, { DensityStroke::Does::set_height, 1.5f, 1.0f });
+	const DensityCell before = map.cell(layer, 0, 0);
+	paint(map, layer, disc, { DensityStroke::Does::set_scale_jitter, 0.4f, 0.5f });
+	CHECK(map.cell(layer, 0, 0).scale_range() == doctest::Approx(0.2f).epsilon(0.02));
+	paint(map, layer, disc, { DensityStroke::Does::set_scale_jitter, 1.0f, 1.0f });
+	CHECK(map.cell(layer, 0, 0).scale_range() <= DensityCell::MAX_SCALE_JITTER + 1.0f / 255.0f);
+	const CellRange changed = paint(map, layer, disc, { DensityStroke::Does::set_color_jitter, 0.6f, 1.0f });
+	CHECK(!changed.is_empty());
+	DensityCell now = map.cell(layer, 0, 0);
+	CHECK(now.color_range() == doctest::Approx(0.6f).epsilon(0.02));
+	paint(map, layer, { { 3.0f, 0.0f }, 2.0f, 0.0f }, { DensityStroke::Does::smooth, 0.0f, 1.0f });
+	const float edge = map.cell(layer, 5, 0).color_range();
+	CHECK(edge > 0.05f);
+	CHECK(edge < 0.55f);
+	fill_polygon(map, layer, rectangle({ 2.0f, 2.0f }), 0.5f);
+	CHECK(map.cell(layer, 0, 0).color_jitter == now.color_jitter);
+	paint(map, layer, disc, { DensityStroke::Does::approach_plants, 7.0f, 1.0f });
+	now.scale_jitter = 0;
+	now.color_jitter = 0;
+	CHECK(now == before);
+}
+
 TEST_CASE("smoothing makes neighbours equal and preserves the total") {
 	DensityMap map;
 	const int layer = map.need_layer("Poppy");

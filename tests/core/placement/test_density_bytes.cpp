@@ -71,6 +71,24 @@ TEST_CASE("a written map is read unchanged") {
 	}
 }
 
+TEST_CASE("a map with jitter is read unchanged, and without it has the bytes of before") {
+	DensityMap map = sample();
+	const std::vector<uint8_t> before = write_density(map);
+	const DensityBrush disc = { { -20.0f, -20.0f }, 9.0f, 0.7f };
+	paint(map, 0, disc, { DensityStroke::Does::set_scale_jitter, 0.5f, 1.0f });
+	paint(map, 0, { { 2000.0f, 0.0f }, 2.0f, 0.0f }, { DensityStroke::Does::set_color_jitter, 0.5f, 1.0f });
+	DensityMap found;
+	REQUIRE(read(write_density(map), found) == DensityFault::none);
+	CHECK(are_the_same(map, found));
+	CHECK(found.cell(0, -20, -20) == map.cell(0, -20, -20));
+	CHECK(found.cell(0, -20, -20).scale_range() == doctest::Approx(0.5f).epsilon(0.01));
+	CHECK(found.cell(0, 2000, 0).color_range() == doctest::Approx(0.5f).epsilon(0.01));
+	paint(map, 0, { { 2000.0f, 0.0f }, 2.0f, 0.0f }, { DensityStroke::Does::set_color_jitter, 0.0f, 1.0f });
+	CHECK(bool(write_density(map) != before));
+	paint(map, 0, { { -20.0f, -20.0f }, 10.0f, 0.0f }, { DensityStroke::Does::set_scale_jitter, 0.0f, 1.0f });
+	CHECK(bool(write_density(map) == before));
+}
+
 TEST_CASE("paint at the coordinate limits is read unchanged") {
 	DensityMap map;
 	const int layer = map.need_layer("Grass");
@@ -144,7 +162,7 @@ TEST_CASE("bytes that are not a map have a fault and change nothing") {
 	CHECK(read({ 1, 2, 3 }, map) == DensityFault::not_a_map);
 	CHECK(read(std::vector<uint8_t>(100, 7), map) == DensityFault::not_a_map);
 	std::vector<uint8_t> later = whole;
-	later[4] = 3;
+	later[4] = 4;
 	CHECK(read(later, map) == DensityFault::later_version);
 	std::vector<uint8_t> none = whole;
 	none[4] = 0;

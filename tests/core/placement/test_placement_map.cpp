@@ -96,6 +96,56 @@ TEST_CASE("the cell of a plant determines its presence and its height") {
 	CHECK(high > 100);
 }
 
+TEST_CASE("painted jitter varies scale and color where it is painted, and nothing else") {
+	const PlacementRequest plain = painted_field([](DensityMap &map) { fill_both(map, 1.0f); });
+	const auto with = [](DensityStroke::Does does, float jitter) {
+		return painted_field([&](DensityMap &map) {
+			fill_both(map, 1.0f);
+			paint(map, 0, { { 3.0f, -5.0f }, 9.0f, 0.0f }, { does, jitter, 1.0f });
+		});
+	};
+	const FieldPlants before = placed(plain);
+	const FieldPlants scaled = placed(with(DensityStroke::Does::set_scale_jitter, 0.5f));
+	const FieldPlants colored = placed(with(DensityStroke::Does::set_color_jitter, 0.8f));
+	REQUIRE(scaled.size() == before.size());
+	REQUIRE(colored.size() == before.size());
+	float least = 10.0f, most = 0.0f, darkest = 0.0f, lightest = 0.0f, coldest = 0.0f, warmest = 0.0f;
+	int outside = 0;
+	for (int i = 0; i < before.size(); i++) {
+		const PlacedPlant was = before.plant(i);
+		PlacedPlant large = scaled.plant(i);
+		PlacedPlant bright = colored.plant(i);
+		const glm::vec2 way = glm::vec2(was.root.x, was.root.z) - glm::vec2(3.0f, -5.0f);
+		if (was.species != 0 || std::sqrt(way.x * way.x + way.y * way.y) > 10.0f) {
+			CHECK(large.scale == was.scale);
+			CHECK(bright.lightness == 0.0f);
+			CHECK(bright.warmth == 0.0f);
+			outside++;
+		}
+		least = std::min(least, large.scale / was.scale);
+		most = std::max(most, large.scale / was.scale);
+		darkest = std::min(darkest, bright.lightness);
+		lightest = std::max(lightest, bright.lightness);
+		coldest = std::min(coldest, bright.warmth);
+		warmest = std::max(warmest, bright.warmth);
+		CHECK(large.lightness == 0.0f);
+		CHECK(bright.scale == was.scale);
+		for (const PlacedPlant *plant : { &large, &bright }) {
+			REQUIRE(plant->root == was.root);
+			REQUIRE(plant->species == was.species);
+			REQUIRE(plant->turn == was.turn);
+			REQUIRE(plant->height == was.height);
+			REQUIRE(plant->variant == was.variant);
+		}
+	}
+	CHECK(outside > before.size() / 2);
+	CHECK(least == doctest::Approx(0.5f).epsilon(0.02));
+	CHECK(most == doctest::Approx(1.5f).epsilon(0.02));
+	for (const float end : { lightest, -darkest, warmest, -coldest }) {
+		CHECK(end == doctest::Approx(0.8f).epsilon(0.02));
+	}
+}
+
 TEST_CASE("a higher density preserves all existing plants") {
 	FieldPlants thin = placed(painted_field([](DensityMap &map) { fill_both(map, 0.3f); }));
 	FieldPlants dense = placed(painted_field([](DensityMap &map) { fill_both(map, 0.6f); }));

@@ -17,7 +17,7 @@ const Translations := preload("../translations/translations.gd")
 
 ## Icons of the editor, by tool.
 const ICONS: Array[StringName] = [
-	&"", &"Paint", &"Eraser", &"ExpandTree", &"ColorPick", &"CurveInOut", &"CurveClose"
+	&"", &"Paint", &"Eraser", &"ExpandTree", &"RandomNumberGenerator", &"ColorPick", &"CurveInOut", &"CurveClose"
 ]
 const FILL_ICON := &"Reload"
 const PLACE_ICON := &"Snap"
@@ -26,7 +26,7 @@ const MAP_ICON := &"Save"
 
 var _options: BrushOptions
 
-@onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Pick, %Trail, %Path]
+@onready var _tools: Array[Button] = [null, %Paint, %Erase, %Height, %Jitter, %Pick, %Trail, %Path]
 @onready var _fill: Button = %Fill
 @onready var _place: Button = %Place
 @onready var _keep_flat: Button = %KeepFlat

@@ -18,6 +18,7 @@ const COLORS: Array[Color] = [
 	Color(0.55, 1.0, 0.4),
 	Color(1.0, 0.45, 0.35),
 	Color(0.5, 0.75, 1.0),
+	Color(0.85, 0.6, 1.0),
 	Color.WHITE,
 	Color(1.0, 0.85, 0.4),
 	Color(1.0, 0.85, 0.4)

@@ -5,12 +5,13 @@ extends RefCounted
 ## Emitted when an option changed.
 signal changed
 
-enum Tool { NONE, PAINT, ERASE, HEIGHT, PICK, TRAIL, PATH }
+enum Tool { NONE, PAINT, ERASE, HEIGHT, JITTER, PICK, TRAIL, PATH }
 
 const MIN_RADIUS := 0.1
 const MAX_RADIUS := 100.0
 ## In plants/m².
 const MAX_DENSITY := 10000.0
+const MAX_SCALE_JITTER := 0.9
 ## Factor of the radius for a press of [ or ].
 const RADIUS_FACTOR := 1.2
 
@@ -53,6 +54,16 @@ var density := 1.0:
 var height := 1.5:
 	set(value):
 		height = clampf(value, 0.1, 3.9)
+		changed.emit()
+## Target of the random scale of plants: 0.2 is ± 20 %.
+var scale_jitter := 0.2:
+	set(value):
+		scale_jitter = clampf(value, 0.0, MAX_SCALE_JITTER)
+		changed.emit()
+## Target of the random color of plants, up to 1.
+var color_jitter := 0.2:
+	set(value):
+		color_jitter = clampf(value, 0.0, 1.0)
 		changed.emit()
 ## Painted map layers. Empty: all layers of the field.
 var species: PackedStringArray = []:

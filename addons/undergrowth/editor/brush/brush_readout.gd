@@ -26,6 +26,8 @@ static func describe(
 		if field.map and titles:
 			factor = field.map.get_height_factor(point, titles[0])
 		return "%s m\n× %s" % [String.num(options.radius, 1), String.num(factor, 2)]
+	if tool == BrushOptions.Tool.JITTER:
+		return "%s m\n%s" % [String.num(options.radius, 1), _describe_jitter(field, titles, point)]
 	var density := 0.0
 	for title in titles:
 		density += BrushDensity.at(field, title, point)
@@ -33,6 +35,17 @@ static func describe(
 	if tool == BrushOptions.Tool.PICK:
 		return grown
 	return "%s m\n%s" % [String.num(options.radius, 1), grown]
+
+
+static func _describe_jitter(
+	field: PlantField3D, titles: PackedStringArray, point: Vector3
+) -> String:
+	var jitter := Vector2.ZERO
+	if field.map and titles:
+		jitter.x = field.map.get_scale_jitter(point, titles[0])
+		jitter.y = field.map.get_color_jitter(point, titles[0])
+	var text := Translations.text("Scale %s, Color %s")
+	return text % [String.num(jitter.x, 2), String.num(jitter.y, 2)]
 
 
 ## Draws [param text] on [param overlay] beside [param pointer].

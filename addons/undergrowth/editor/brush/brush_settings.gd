@@ -34,6 +34,8 @@ var _new_layers: PackedStringArray = []
 @onready var _density: DensitySlider = %Density
 @onready var _as_mixed: Button = %AsMixed
 @onready var _plant_height: EditorSpinSlider = %PlantHeight
+@onready var _scale_jitter: EditorSpinSlider = %ScaleJitter
+@onready var _color_jitter: EditorSpinSlider = %ColorJitter
 @onready var _message: Label = %Message
 @onready var _species: HBoxContainer = %Species
 @onready var _menu: SpeciesMenu = %SpeciesMenu
@@ -50,6 +52,8 @@ func setup(options: BrushOptions) -> void:
 	_density.value_changed.connect(func(plants: float) -> void: _options.density = plants)
 	_as_mixed.toggled.connect(_on_as_mixed_toggled)
 	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
+	_scale_jitter.value_changed.connect(func(part: float) -> void: _options.scale_jitter = part)
+	_color_jitter.value_changed.connect(func(part: float) -> void: _options.color_jitter = part)
 	_menu.chosen.connect(_choose)
 	for side: StringName in [&"margin_left", &"margin_right"]:
 		add_theme_constant_override(side, int(MARGIN * EditorInterface.get_editor_scale()))
@@ -191,11 +195,15 @@ func _show() -> void:
 	_menu.show_painted(_options.species)
 	_show_density()
 	_plant_height.visible = _options.tool == BrushOptions.Tool.HEIGHT
+	for slider: Control in [_scale_jitter, _color_jitter]:
+		slider.visible = _options.tool == BrushOptions.Tool.JITTER
 	_radius.set_value_no_signal(_options.radius)
 	_path_width.set_value_no_signal(_options.width)
 	_strength.set_value_no_signal(_options.strength)
 	_falloff.set_value_no_signal(_options.falloff)
 	_plant_height.set_value_no_signal(_options.height)
+	_scale_jitter.set_value_no_signal(_options.scale_jitter)
+	_color_jitter.set_value_no_signal(_options.color_jitter)
 	for i in _species.get_child_count():
 		(_species.get_child(i) as Button).set_pressed_no_signal(_names[i] in _options.species)
 
@@ -209,6 +217,8 @@ func _translate() -> void:
 	_density.label = tr("Density")
 	_density.suffix = tr("plants/m²")
 	_plant_height.label = tr("Height")
+	_scale_jitter.label = tr("Scale Jitter")
+	_color_jitter.label = tr("Color Jitter")
 	_fit_sliders()
 	_menu.show_painted(_options.species)
 

@@ -121,12 +121,20 @@ func _touch(place: Vector3, pressure: float) -> void:
 		elif _tool == BrushOptions.Tool.HEIGHT:
 			var height := _options.height
 			_map.paint_height(place, _radius(), title, height, strength, _options.falloff)
+		elif _tool == BrushOptions.Tool.JITTER:
+			_touch_jitter(place, title, strength)
 		elif _tool == BrushOptions.Tool.PAINT and not _options.is_as_mixed:
 			var density := _densities[i]
 			_map.paint_plants(place, _radius(), title, density, strength, _options.falloff)
 		else:
 			var share := 1.0 if _tool == BrushOptions.Tool.PAINT else 0.0
 			_map.paint_towards(place, _radius(), title, share, strength, _options.falloff)
+
+
+func _touch_jitter(place: Vector3, title: String, strength: float) -> void:
+	var falloff := _options.falloff
+	_map.paint_scale_jitter(place, _radius(), title, _options.scale_jitter, strength, falloff)
+	_map.paint_color_jitter(place, _radius(), title, _options.color_jitter, strength, falloff)
 
 
 # In the field's own axes.
@@ -161,6 +169,8 @@ func _explain_nothing(names: String) -> String:
 			return Translations.text("%s: nothing to erase here.") % names
 		BrushOptions.Tool.HEIGHT:
 			return Translations.text("%s: the height is reached here already.") % names
+		BrushOptions.Tool.JITTER:
+			return Translations.text("%s: this jitter is reached here already.") % names
 	var density := _options.density
 	var message := Translations.text("%s: %s plants/m² grow here already.")
 	if _options.is_as_mixed:
@@ -193,4 +203,6 @@ func _title() -> String:
 			return Translations.text("Erase Plants")
 		BrushOptions.Tool.HEIGHT:
 			return Translations.text("Paint Plant Height")
+		BrushOptions.Tool.JITTER:
+			return Translations.text("Paint Plant Jitter")
 	return Translations.text("Paint Plants")

@@ -222,7 +222,7 @@ func _touch_first(pressure: float) -> void:
 		_waits_for = null
 
 
-# Picks the species, density and height at the pointer for the next strokes.
+# Picks the species and all painted values at the pointer for the next strokes.
 func _pick(place: Vector3) -> void:
 	var map := _field.map
 	if not map:
@@ -239,6 +239,8 @@ func _pick(place: Vector3) -> void:
 			density += BrushDensity.at(_field, title, point)
 			is_as_mixed = is_as_mixed and share == 1.0 and plants == 0.0
 			options.height = map.get_height_factor(point, title)
+			options.scale_jitter = map.get_scale_jitter(point, title)
+			options.color_jitter = map.get_color_jitter(point, title)
 	if names:
 		options.species = names
 		options.density = density

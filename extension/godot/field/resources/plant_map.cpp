@@ -140,6 +140,27 @@ void PlantMap::paint_height(
 	}
 }
 
+void PlantMap::paint_scale_jitter(
+		const Vector3 &center, double radius, const String &species, double jitter, double strength, double falloff) {
+	static constexpr Range JITTER_RANGE = { 0.0, 0.9 };
+	DensityBrush brush;
+	if (read_brush("paint_scale_jitter", center, radius, falloff, brush) &&
+			accept_value(this, "jitter", jitter, JITTER_RANGE)) {
+		const DensityStroke how = { DensityStroke::Does::set_scale_jitter, float(jitter), 1.0f };
+		stroke("paint_scale_jitter", brush, species, how, strength);
+	}
+}
+
+void PlantMap::paint_color_jitter(
+		const Vector3 &center, double radius, const String &species, double jitter, double strength, double falloff) {
+	DensityBrush brush;
+	if (read_brush("paint_color_jitter", center, radius, falloff, brush) &&
+			accept_value(this, "jitter", jitter, { 0.0, 1.0 })) {
+		const DensityStroke how = { DensityStroke::Does::set_color_jitter, float(jitter), 1.0f };
+		stroke("paint_color_jitter", brush, species, how, strength);
+	}
+}
+
 bool PlantMap::read_polygon(const char *method, const PackedVector3Array &points, Polygon &into) {
 	for (const Vector3 &point : points) {
 		into.push_back(place_of(point));
@@ -193,6 +214,16 @@ double PlantMap::get_density(const Vector3 &point, const String &species) const 
 double PlantMap::get_height_factor(const Vector3 &point, const String &species) const {
 	const int layer = map.find_layer(text_of(species));
 	return layer < 0 || !point.is_finite() ? 1.0 : double(map.cell_at(layer, place_of(point)).height_factor());
+}
+
+double PlantMap::get_scale_jitter(const Vector3 &point, const String &species) const {
+	const int layer = map.find_layer(text_of(species));
+	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).scale_range());
+}
+
+double PlantMap::get_color_jitter(const Vector3 &point, const String &species) const {
+	const int layer = map.find_layer(text_of(species));
+	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).color_range());
 }
 
 PackedStringArray PlantMap::get_painted_species() const {
@@ -253,6 +284,10 @@ void PlantMap::_bind_methods() {
 	BIND_BRUSH(paint_plants, "density", "strength", "falloff"), &PlantMap::paint_plants, DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(smooth, "strength", "falloff"), &PlantMap::smooth, DEFVAL(String()), DEFVAL(1.0), DEFVAL(0.5));
 	BIND_BRUSH(paint_height, "height", "strength", "falloff"), &PlantMap::paint_height, DEFVAL(1.0), DEFVAL(0.5));
+	BIND_BRUSH(paint_scale_jitter, "jitter", "strength", "falloff"), &PlantMap::paint_scale_jitter, DEFVAL(1.0),
+			DEFVAL(0.5));
+	BIND_BRUSH(paint_color_jitter, "jitter", "strength", "falloff"), &PlantMap::paint_color_jitter, DEFVAL(1.0),
+			DEFVAL(0.5));
 #undef BIND_BRUSH
 	ClassDB::bind_method(
 			D_METHOD("fill_polygon", "points", "species", "density"), &PlantMap::fill_polygon, DEFVAL(1.0));
@@ -261,6 +296,8 @@ void PlantMap::_bind_methods() {
 	BIND(get_density, "point", "species");
 	BIND(get_plant_density, "point", "species");
 	BIND(get_height_factor, "point", "species");
+	BIND(get_scale_jitter, "point", "species");
+	BIND(get_color_jitter, "point", "species");
 	ClassDB::bind_method(D_METHOD("set_from_image", "image", "rect", "species", "channel", "white"),
 			&PlantMap::set_from_image, DEFVAL(0), DEFVAL(0.0));
 	ClassDB::bind_method(D_METHOD("to_image", "rect", "species", "white"), &PlantMap::to_image, DEFVAL(0.0));
@@ -336,11 +373,10 @@ void PlantMap::set_from_image(
 	for (int i = 0; i < columns * rows; i++) {
 		const int column = cells.first_column + i % columns;
 		const int row = cells.first_row + i / columns;
-		DensityCell cell = { from[int64_t(i) * CHANNELS], map.cell(layer, column, row).height, 0 };
-		if (white > 0.0) {
-			cell.plants = plants_code(float(white) * cell.share());
-			cell.density = 0;
-		}
+		DensityCell cell = map.cell(layer, column, row);
+		cell.density = from[int64_t(i) * CHANNELS];
+		cell.plants = white > 0.0 ? plants_code(float(white) * cell.share()) : uint16_t(0);
+		cell.density = white > 0.0 ? uint8_t(0) : cell.density;
 		map.set_cell(layer, column, row, cell);
 	}
 	map.tidy(layer, cells);

@@ -12,7 +12,7 @@
 
 namespace undergrowth {
 
-/// A painted map of PlantField3Ds: densities and heights of plants, in one layer per species. Positions are in the
+/// A painted map of PlantField3Ds: densities, heights and jitter of plants, in one layer per species. Positions are in the
 /// field's own axes. Each change emits `area_changed` with the rectangle (x, z) around it, then `changed`.
 class PlantMap : public godot::Resource {
 	GDCLASS(PlantMap, godot::Resource)
@@ -63,11 +63,17 @@ public:
 			const godot::Vector3 &center, double radius, const godot::String &species, double strength, double falloff);
 	void paint_height(const godot::Vector3 &center, double radius, const godot::String &species, double height,
 			double strength, double falloff);
+	void paint_scale_jitter(const godot::Vector3 &center, double radius, const godot::String &species, double jitter,
+			double strength, double falloff);
+	void paint_color_jitter(const godot::Vector3 &center, double radius, const godot::String &species, double jitter,
+			double strength, double falloff);
 	void fill_polygon(const godot::PackedVector3Array &points, const godot::String &species, double density);
 	void fill_polygon_plants(const godot::PackedVector3Array &points, const godot::String &species, double density);
 	double get_plant_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_density(const godot::Vector3 &point, const godot::String &species) const;
 	double get_height_factor(const godot::Vector3 &point, const godot::String &species) const;
+	double get_scale_jitter(const godot::Vector3 &point, const godot::String &species) const;
+	double get_color_jitter(const godot::Vector3 &point, const godot::String &species) const;
 	void set_from_image(const godot::Ref<godot::Image> &image, const godot::Rect2 &rect, const godot::String &species,
 			int channel, double white);
 	godot::Ref<godot::Image> to_image(const godot::Rect2 &rect, const godot::String &species, double white) const;

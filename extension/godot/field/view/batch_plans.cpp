@@ -176,10 +176,15 @@ static Division divide(
 	return division;
 }
 
+// Slope of a plant's x axis for a warmth of 1, and of its z axis for a lightness of 1: too small to be seen, but the
+// shader reads them (undergrowth_color_of). Instances without jitter have upright axes.
+static constexpr float COLOR_SLOPE = 0.0009765625f; // 2^-10.
+
 // Writes a plant to a plan's buffer and returns the position after it.
 static float *write_plant(const FieldRenderSetup &setup, const DrawnPlant &plant, float mesh_height, float *to) {
+	const float slope = COLOR_SLOPE * plant.scale;
 	const float transform[] = { plant.cosine, 0.0f, plant.sine, plant.root.x, //
-		0.0f, plant.scale, 0.0f, plant.root.y, //
+		slope * plant.warmth, plant.scale, slope * plant.lightness, plant.root.y, //
 		-plant.sine, 0.0f, plant.cosine, plant.root.z };
 	to = std::copy(std::begin(transform), std::end(transform), to);
 	if (setup.needs_colors) {

@@ -36,6 +36,8 @@ static DrawnPlant drawn_plant(const FieldRenderSetup &setup, const DrawnChunk &d
 	made.height = style.height_of(plant);
 	made.reach = style.reach_of(plant, style.has_parts() ? PARTS_WIDENING : MAX_WIDENING);
 	made.variant = int(size_t(plant.variant) % style.variants.size());
+	made.lightness = plant.lightness;
+	made.warmth = plant.warmth;
 	return made;
 }
 

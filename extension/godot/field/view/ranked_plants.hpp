@@ -20,6 +20,7 @@ struct DrawnPlant {
 	float height = 0.0f; ///< m.
 	float reach = 0.0f; ///< Distance from its root at the largest deflection (m).
 	int variant = 0;
+	float lightness = 0.0f, warmth = 0.0f; ///< Of its color, -1 to 1.
 };
 
 /// All plants of some chunks, without removed ones.
