@@ -2,6 +2,7 @@
 extends "viewport_test.gd"
 ## Base of the tests of the brush: a field under it, and its toolbar.
 
+const SpeciesMenu := preload("res://addons/undergrowth/editor/brush/species_menu.gd")
 const BAR_SCRIPT := "res://addons/undergrowth/editor/brush/brush_bar.gd"
 const SETTINGS_SCRIPT := "res://addons/undergrowth/editor/brush/brush_settings.gd"
 const GRASS := "Grass"
@@ -31,11 +32,37 @@ func _settings() -> Control:
 	return find_by_script(SETTINGS_SCRIPT)
 
 
-func _species_button(title: String) -> Button:
-	for button: Button in _settings().get_node("%Species").get_children():
-		if button.text == title:
-			return button
-	return null
+# The tile of the brush for a species, or -1.
+func _species_tile(title: String) -> int:
+	var found := _species_tiles()
+	for i in found.item_count:
+		if found.get_item_text(i).replace("\n", " ") == title:
+			return i
+	return -1
+
+
+func _species_tiles() -> ItemList:
+	return (_settings().get_node("%SpeciesMenu") as SpeciesMenu).get_tiles()
+
+
+func _is_painted(title: String) -> bool:
+	var at := _species_tile(title)
+	return at >= 0 and _species_tiles().is_selected(at)
+
+
+# Chooses species as a user does. Without any: all species.
+func _paint_only(titles: PackedStringArray) -> void:
+	var menu := _settings().get_node("%SpeciesMenu") as SpeciesMenu
+	await click(menu)
+	if titles.is_empty():
+		await click(_species_tiles(), _species_tiles().get_item_rect(0).get_center())
+	holds_ctrl = titles.size() > 1
+	for title in titles:
+		var at := _species_tile(title)
+		if titles.size() == 1 or not _is_painted(title):
+			await click(_species_tiles(), _species_tiles().get_item_rect(at).get_center())
+	holds_ctrl = false
+	await click(menu)
 
 
 # Or deselects the brush if it is selected.

@@ -20,7 +20,7 @@ func test_a_density_is_painted_in_plants_per_square_metre() -> void:
 	var whole := field.get_plant_ids()
 	await _choose_tool("Paint")
 	_sharpen(RADIUS)
-	_species_button(POPPY).button_pressed = true
+	await _paint_only([POPPY])
 	check(absf(_density().value - DENSITY * 3.0 / 63.0) < 0.01, "as mixed: %f" % _density().value)
 	check_equal(_density().max_value, DENSITY, "the slider's end")
 	var slider := _density() as DensitySlider
@@ -58,7 +58,7 @@ func test_a_stroke_is_visible_after_two_frames() -> void:
 	await _rested(field)
 	await _choose_tool("Paint")
 	_sharpen(2.0)
-	_species_button(POPPY).button_pressed = true
+	await _paint_only([POPPY])
 	_density().value = 5.0
 	var at := _in_window(_view(), _place_of(field, Vector3.ZERO))
 	await _point(_view(), at)
@@ -75,7 +75,7 @@ func test_the_bar_explains_a_stroke_without_effect() -> void:
 	var field := await _meadow()
 	await _choose_tool("Paint")
 	_sharpen(1.0)
-	_species_button(POPPY).button_pressed = true
+	await _paint_only([POPPY])
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check(field.map == null, "there is nothing to change")
 	check(
@@ -101,7 +101,7 @@ func test_the_bar_explains_a_full_field() -> void:
 	field.map.fill_polygon_plants(field.get_outline_points(), GRASS_LAYER, 10.0)
 	await _choose_tool("Paint")
 	_sharpen(1.0)
-	_species_button(POPPY).button_pressed = true
+	await _paint_only([POPPY])
 	_density().value = 5.0
 	await click(_view(), _place_of(field, Vector3.ZERO))
 	check(_reported().contains("14.99 plants/m² are painted"), "it says how many: " + _reported())
@@ -141,7 +141,7 @@ func _meadow() -> PlantField3D:
 
 
 func _put_down(tool: String) -> void:
-	_species_button(POPPY).button_pressed = false
+	await _paint_only([])
 	_as_mixed().button_pressed = true
 	await _choose_tool(tool)
 

@@ -29,7 +29,7 @@ func test_ctrl_and_shift_erase_all_species() -> void:
 	await _rested(field)
 	await _choose_tool("Paint")
 	_sharpen(0.5)
-	_species_button(GRASS).button_pressed = true
+	await _paint_only([GRASS])
 	var other := Vector3(0, 0, 1.6)
 	holds_ctrl = true
 	await click(_view(), _place_of(field, Vector3.ZERO))
@@ -42,7 +42,7 @@ func test_ctrl_and_shift_erase_all_species() -> void:
 	check_equal(_history().get_current_action_name(), tr("Erase Plants"), "the step's name")
 	check_equal(field.map.get_density(other, GRASS), 0.0, "the chosen species with Shift too")
 	check_equal(field.map.get_density(other, TULIP), 0.0, "another species with Shift too")
-	_species_button(GRASS).button_pressed = false
+	await _paint_only([])
 	await _choose_tool("Paint")
 
 
@@ -82,6 +82,9 @@ func test_numbers_beside_the_pointer() -> void:
 	var text: String = describe.call(paint, Vector3.ZERO)
 	check_equal(text, "2.0 m\n" + unit % "3.0", "plants of a map")
 	check_equal(describe.call(BrushOptions.Tool.HEIGHT, Vector3.ZERO), "2.0 m\n× 1.5", "height")
+	field.map.paint_color_jitter(Vector3.ZERO, 1.0, GRASS, 1.0, 1.0, 0.0)
+	var jitter := Translations.text("Scale %s, Color %s") % ["0.0", "1.0"]
+	check_equal(describe.call(BrushOptions.Tool.JITTER, Vector3.ZERO), "2.0 m\n" + jitter, "jitter")
 	check_equal(describe.call(BrushOptions.Tool.PICK, Vector3.ZERO), unit % "3.0", "pick")
 
 

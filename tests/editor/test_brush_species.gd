@@ -14,7 +14,7 @@ func test_a_picked_species_comes_into_the_field_with_a_stroke() -> void:
 	var field := await _edited_field()
 	var density := field.density
 	await _pick(POPPY)
-	check(_species_button("+ " + POPPY).button_pressed, "it is offered")
+	check(_is_painted("+ " + POPPY), "it is offered")
 	check_equal(field.species.size(), 1, "nothing is added before a stroke")
 	await _choose_tool("Paint")
 	var version := _history().get_version()
@@ -22,12 +22,12 @@ func test_a_picked_species_comes_into_the_field_with_a_stroke() -> void:
 	await _rested(field)
 	check_equal(_history().get_version(), version + 1, "steps of undo")
 	_check_added(field)
-	check(_species_button(POPPY).button_pressed, "it is one of the field's now")
+	check(_is_painted(POPPY), "it is one of the field's now")
 	await undo()
 	check_equal(field.species.size(), 1, "species after undo")
 	check_equal(field.density, density, "density after undo")
 	check(field.map == null, "it has no map after undo")
-	check(_species_button("+ " + POPPY).button_pressed, "it is offered again")
+	check(_is_painted("+ " + POPPY), "it is offered again")
 	await redo()
 	await _rested(field)
 	_check_added(field)
@@ -42,7 +42,7 @@ func test_several_picked_species_come_in_with_one_stroke() -> void:
 	await click(tiles(), place_of_tile(find_tile("Yarrow")))
 	holds_ctrl = false
 	for title: String in [POPPY, "Yarrow"]:
-		check(_species_button("+ " + title).button_pressed, title + " is offered")
+		check(_is_painted("+ " + title), title + " is offered")
 	await _choose_tool("Paint")
 	var version := _history().get_version()
 	await drag(_view(), _place_of(field, FROM), _place_of(field, TO))
@@ -75,16 +75,18 @@ func test_the_other_species_have_the_same_density() -> void:
 func test_what_grows_there_already_is_only_chosen() -> void:
 	var field := await _edited_field()
 	await _pick(GRASS)
-	check(_species_button(GRASS).button_pressed, "it is chosen")
-	check(_species_button("+ " + GRASS) == null, "and not offered once more")
+	check(_is_painted(GRASS), "it is chosen")
+	check(_species_tile("+ " + GRASS) < 0, "and not offered once more")
 	await _choose_tool("Paint")
 	await click(_view(), _place_of(field, FROM))
 	check_equal(field.species.size(), 1, "species")
 	await _choose_tool("Paint")
-	_species_button(GRASS).button_pressed = false
+	await _choose_tool("Paint")
+	await _paint_only([])
+	await _choose_tool("Paint")
 
 
-func test_many_species_are_chosen_in_a_menu() -> void:
+func test_species_are_chosen_by_tiles_several_with_ctrl() -> void:
 	var field := await _edited_field()
 	var entries: Array[PlantFieldSpecies] = []
 	for file: String in ["poppy", "yarrow", "wheat", "barley"]:
@@ -95,20 +97,20 @@ func test_many_species_are_chosen_in_a_menu() -> void:
 	field.map = PlantMap.new()
 	await _choose_only(field)
 	await _choose_tool("Paint")
-	var menu := _settings().get_node("%SpeciesMenu") as MenuButton
-	check(menu.visible, "the menu is there")
-	check(not (_settings().get_node("%Species") as Control).visible, "buttons are not")
-	check_equal(menu.get_popup().item_count, 4, "species in it")
+	var menu := _settings().get_node("%SpeciesMenu") as Button
+	var list := _species_tiles()
+	check_equal(list.item_count, 5, "tiles, with that of all species")
+	var size := list.fixed_icon_size.x / EditorInterface.get_editor_scale()
+	check_equal(size, 64.0, "side of a picture")
 	check_equal(menu.text, "All Species", "none is chosen")
-	menu.get_popup().index_pressed.emit(0)
+	await _paint_only([POPPY])
 	check_equal(menu.text, POPPY, "one is chosen")
-	menu.get_popup().index_pressed.emit(2)
+	await _paint_only([POPPY, "Wheat"])
 	check_equal(menu.text, "2 Species", "two are chosen")
 	await click(_view(), _place_of(field, FROM))
 	var painted := field.map.get_painted_species()
 	check_equal(painted, PackedStringArray(["Poppy", "Wheat"]), "what is painted")
-	menu.get_popup().index_pressed.emit(0)
-	menu.get_popup().index_pressed.emit(2)
+	await _paint_only([])
 	check_equal(menu.text, "All Species", "none is chosen again")
 	await _choose_tool("Paint")
 

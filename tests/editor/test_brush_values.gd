@@ -30,7 +30,10 @@ func test_options_stay_in_their_ranges_and_report_each_change() -> void:
 	options.falloff = -1.0
 	options.height = 9.0
 	options.density = 3.0
-	check_equal(changes[0], 6, "changes of numbers")
+	options.scale_jitter = 2.0
+	options.color_jitter = -1.0
+	check_equal(changes[0], 8, "changes of numbers")
+	check_equal([options.scale_jitter, options.color_jitter], [0.9, 0.0], "jitter")
 	check_equal([options.radius, options.width], [100.0, 0.1], "radius and width")
 	check_equal([options.strength, options.falloff], [1.0, 0.0], "strength and falloff")
 	check_equal([options.height, options.density], [3.9, 3.0], "height and density")
@@ -38,7 +41,7 @@ func test_options_stay_in_their_ranges_and_report_each_change() -> void:
 	options.species = ["Grass"]
 	options.tool = BrushOptions.Tool.PAINT
 	options.is_as_mixed = true
-	check_equal(changes[0], 9, "all changes")
+	check_equal(changes[0], 11, "all changes")
 
 
 func test_the_tool_decides_the_circle_and_ctrl_the_tool() -> void:

@@ -10,7 +10,7 @@ func test_the_toolbar_is_there_while_a_field_is_edited() -> void:
 	check(not _bar().visible, "nothing is selected")
 	await _choose_only(field)
 	check(_bar().visible, "a field is selected")
-	check_equal(_species_button(GRASS).text, GRASS, "its species")
+	check(_species_tile(GRASS) >= 0, "its species")
 	check(not _settings().visible, "no tool is chosen")
 	await _choose_only(field.get_parent())
 	check(not _bar().visible, "another node is selected")
@@ -82,6 +82,51 @@ func test_a_first_stroke_makes_a_map_in_one_step() -> void:
 	check(field.get_plant_count() < count, "plants after redo")
 
 
+func test_jitter_of_scale_and_color_is_painted_in_one_step() -> void:
+	var field := await _edited_field()
+	_sharpen(1.0)
+	await _choose_tool("Jitter")
+	for title: String in ["%ScaleJitter", "%ColorJitter"]:
+		check((_settings().get_node(title) as Control).visible, title + " is there")
+	(_settings().get_node("%ScaleJitter") as EditorSpinSlider).value = 0.5
+	(_settings().get_node("%ColorJitter") as EditorSpinSlider).value = 0.75
+	var version := _history().get_version()
+	var ids := field.get_plant_ids()
+	var before := _transforms(field)
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	await _rested(field)
+	check_equal(_history().get_version(), version + 1, "steps of undo")
+	check_equal(_history().get_current_action_name(), tr("Paint Plant Jitter"), "its name")
+	check(absf(field.map.get_scale_jitter(Vector3.ZERO, GRASS) - 0.5) < 0.01, "jitter of scale")
+	check(absf(field.map.get_color_jitter(Vector3.ZERO, GRASS) - 0.75) < 0.01, "jitter of color")
+	check_equal(field.map.get_color_jitter(Vector3(0, 0, 1.6), GRASS), 0.0, "jitter beside it")
+	var now := field.get_plant_ids()
+	now.sort()
+	ids.sort()
+	check_equal(now, ids, "plants")
+	check(_transforms(field) != before, "their scales differ")
+	await click(_view(), _place_of(field, Vector3.ZERO))
+	check_equal(_history().get_version(), version + 1, "a second stroke changes nothing")
+	await undo()
+	await _rested(field)
+	check(field.map == null, "it has no map after undo")
+	check_equal(_transforms(field), before, "plants after undo")
+	await redo()
+	check(absf(field.map.get_scale_jitter(Vector3.ZERO, GRASS) - 0.5) < 0.01, "jitter after redo")
+	await _choose_tool("Jitter")
+	for title: String in ["%ScaleJitter", "%ColorJitter"]:
+		check(not (_settings().get_node(title) as Control).is_visible_in_tree(), title + " is gone")
+
+
+func _transforms(field: PlantField3D) -> Array[Transform3D]:
+	var found: Array[Transform3D] = []
+	var ids := field.get_plant_ids()
+	ids.sort()
+	for id in ids:
+		found.append(field.get_plant_transform(id))
+	return found
+
+
 func test_a_stroke_on_a_scaled_field_has_the_radius_of_the_brush() -> void:
 	var field := await _edited_field()
 	field.scale = Vector3.ONE * 0.5
@@ -149,9 +194,9 @@ func test_height_and_pick() -> void:
 		(_settings().get_node("%PlantHeight") as EditorSpinSlider).value, 1.5, "picked height"
 	)
 	check((_bar().get_node("%Paint") as Button).button_pressed, "it paints then")
-	check(_species_button(GRASS).button_pressed, "what was picked")
+	check(_is_painted(GRASS), "what was picked")
 	(_settings().get_node("%Strength") as EditorSpinSlider).value = 0.5
-	_species_button(GRASS).button_pressed = false
+	await _paint_only([])
 	await _choose_tool("Paint")
 
 

@@ -16,7 +16,7 @@ func test_the_cause_is_below_the_control_until_the_next_edit() -> void:
 	await frames(3)
 	check_error("mass cannot be -5")
 	var shown := _shown_below(control)
-	check(shown.begins_with("mass cannot be -5"), "shown: %s" % shown)
+	check(shown.begins_with("Mass cannot be -5"), "shown: %s" % shown)
 	check_equal(grass.mass, 0.05, "the old value stays")
 	control.emit_changed(&"mass", 0.07)
 	await frames(3)

@@ -44,6 +44,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "model_materials": ["gl_compatibility"],
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_cards": ["gl_compatibility", "forward_plus"],
+         "field_picture_jitter": ["gl_compatibility", "forward_plus"],
          "field_picture_light": ["gl_compatibility", "forward_plus"],
          "field_picture_msaa": ["forward_plus"],
          "field_picture_near": ["gl_compatibility", "forward_plus"],

@@ -26,8 +26,8 @@ const char *describe(DensityFault fault);
 /// and then the higher bytes of its plants/m². Version 3 also adds its jitter of scale, and then of color.
 /// End: FNV-1a (32 bits) of everything before.
 /// The arrays of a block consist of runs. A byte n below 128 is followed by n + 1 codes. A byte n from 128 on is
-/// followed by one code that repeats n - 125 times. A map has the lowest version that contains its values: release 0.2 reads
-/// version 1.
+/// followed by one code that repeats n - 125 times. A map has the lowest version that contains its values: release 0.2
+/// reads version 1.
 std::vector<uint8_t> write_density(const DensityMap &map);
 
 /// Reads the output of write_density(). After a fault `map` is unchanged. No bytes at all are an empty map.

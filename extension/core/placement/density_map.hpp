@@ -85,8 +85,8 @@ struct CellRange {
 };
 
 /// The painted density map of a field. For each species it has a layer with that species' name: density, plants/m²,
-/// height and jitter of scale and color by position. Cells are squares in the field's axes (x, z), up to FARTHEST_COORDINATE on all sides. Only
-/// painted blocks exist. Unpainted cells have a density of 0.
+/// height and jitter of scale and color by position. Cells are squares in the field's axes (x, z), up to
+/// FARTHEST_COORDINATE on all sides. Only painted blocks exist. Unpainted cells have a density of 0.
 ///
 /// Only one thread may change a map. The results of share() and cut() have the same cells at low cost. They can be read
 /// on any thread and do not change with the map.

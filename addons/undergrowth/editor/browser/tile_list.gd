@@ -18,6 +18,7 @@ const SpeciesEntry := preload("species_entry.gd")
 const SpeciesCatalog := preload("species_catalog.gd")
 const MixText := preload("mix_text.gd")
 const PlantPhoto := preload("../widgets/plant_photo.gd")
+const TileTitles := preload("../widgets/tile_titles.gd")
 ## The dragged entry's key in the data of a drag.
 const DRAGGED_KEY := "undergrowth_key"
 ## File of the entry that is chosen at first.
@@ -26,12 +27,6 @@ const FIRST_MIX := "meadow.tscn"
 const THUMBNAIL_SIZE := 64
 ## Minimum width of a column, as a fraction of the thumbnail's size, for the title.
 const MIN_COLUMN := 1.3
-## Pixels that the engine's list adds to each column.
-const COLUMN_SLACK := 4
-## Lines of a long title.
-const TEXT_LINES := 2
-## As a factor of the editor's font size.
-const SMALL_FONT := 0.85
 ## Minimum number of new thumbnails for a progress bar. Those of the add-on alone are fewer.
 const MANY := 48
 
@@ -120,9 +115,7 @@ func _apply_theme() -> void:
 	_new.icon = get_theme_icon(&"Add", &"EditorIcons")
 	_filter.right_icon = get_theme_icon(&"Search", &"EditorIcons")
 	_tiles.fixed_icon_size = Vector2i(size, size)
-	_tiles.max_text_lines = TEXT_LINES
-	var font_size := roundi(get_theme_font_size(&"font_size", &"ItemList") * SMALL_FONT)
-	_tiles.add_theme_font_size_override(&"font_size", font_size)
+	TileTitles.apply_theme(_tiles)
 	_fit_columns()
 	for hint: Label in [_project_hint, _no_match]:
 		var pale := get_theme_color(&"font_disabled_color", &"Editor")
@@ -131,31 +124,12 @@ func _apply_theme() -> void:
 
 # One width for all tiles, in any category and with any filter.
 func _fit_columns() -> void:
-	var font := _tiles.get_theme_font(&"font")
-	var font_size := _tiles.get_theme_font_size(&"font_size")
-	var widest := _tiles.fixed_icon_size.x * MIN_COLUMN
+	var titles: PackedStringArray = []
 	for entry in _entries():
-		for word in tr(entry.title).split(" "):
-			var width := font.get_string_size(word, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-			widest = maxf(widest, width + COLUMN_SLACK)
-	_tiles.fixed_column_width = ceili(widest)
+		titles.append(tr(entry.title))
+	TileTitles.fit_columns(_tiles, titles, _tiles.fixed_icon_size.x * MIN_COLUMN)
 	for i in _tiles.item_count:
-		_tiles.set_item_text(i, _wrap(tr(_entry_at(i).title)))
-
-
-# The list itself would break a long title within a word.
-func _wrap(text: String) -> String:
-	var font := _tiles.get_theme_font(&"font")
-	var font_size := _tiles.get_theme_font_size(&"font_size")
-	var length := font.get_string_size(text, HORIZONTAL_ALIGNMENT_LEFT, -1, font_size).x
-	if length <= _tiles.fixed_column_width - COLUMN_SLACK:
-		return text
-	var half := text.length() / 2
-	var before := text.rfind(" ", half)
-	var after := text.find(" ", half)
-	var nearer_after := before < 0 or (after >= 0 and after - half < half - before)
-	var at := after if nearer_after else before
-	return text if at < 0 else text.left(at) + "\n" + text.substr(at + 1)
+		_tiles.set_item_text(i, TileTitles.wrap(_tiles, tr(_entry_at(i).title)))
 
 
 func _entry_at(index: int) -> SpeciesEntry:

@@ -17,7 +17,14 @@ const Translations := preload("../translations/translations.gd")
 
 ## Icons of the editor, by tool.
 const ICONS: Array[StringName] = [
-	&"", &"Paint", &"Eraser", &"ExpandTree", &"RandomNumberGenerator", &"ColorPick", &"CurveInOut", &"CurveClose"
+	&"",
+	&"Paint",
+	&"Eraser",
+	&"ExpandTree",
+	&"RandomNumberGenerator",
+	&"ColorPick",
+	&"CurveInOut",
+	&"CurveClose"
 ]
 const FILL_ICON := &"Reload"
 const PLACE_ICON := &"Snap"

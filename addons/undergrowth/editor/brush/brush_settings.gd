@@ -12,21 +12,17 @@ const Translations := preload("../translations/translations.gd")
 
 ## Distance from the row, in pixels at 100 %.
 const MARGIN := 8
-## In pixels at 100 %.
-const THUMBNAIL := 24
 ## Width of a slider beside its texts, in pixels at 100 %.
 const SLIDER_SLACK := 34.0
-## Maximum number of buttons. More species are in a menu.
-const MAX_BUTTONS := 3
 
 var _options: BrushOptions
 var _field: PlantField3D
-# Layers of the species buttons, in their order.
+# Layers of the species, in the order of their tiles.
 var _names: PackedStringArray = []
 # Layers of species that the field does not contain yet.
 var _new_layers: PackedStringArray = []
 
-@onready var _numbers: HBoxContainer = %Numbers
+@onready var _row: HFlowContainer = %Row
 @onready var _radius: EditorSpinSlider = %Radius
 @onready var _path_width: EditorSpinSlider = %PathWidth
 @onready var _strength: EditorSpinSlider = %Strength
@@ -37,7 +33,6 @@ var _new_layers: PackedStringArray = []
 @onready var _scale_jitter: EditorSpinSlider = %ScaleJitter
 @onready var _color_jitter: EditorSpinSlider = %ColorJitter
 @onready var _message: Label = %Message
-@onready var _species: HBoxContainer = %Species
 @onready var _menu: SpeciesMenu = %SpeciesMenu
 
 
@@ -54,7 +49,7 @@ func setup(options: BrushOptions) -> void:
 	_plant_height.value_changed.connect(func(factor: float) -> void: _options.height = factor)
 	_scale_jitter.value_changed.connect(func(part: float) -> void: _options.scale_jitter = part)
 	_color_jitter.value_changed.connect(func(part: float) -> void: _options.color_jitter = part)
-	_menu.chosen.connect(_choose)
+	_menu.chosen.connect(func(layers: PackedStringArray) -> void: _options.species = layers)
 	for side: StringName in [&"margin_left", &"margin_right"]:
 		add_theme_constant_override(side, int(MARGIN * EditorInterface.get_editor_scale()))
 	options.changed.connect(_show)
@@ -87,17 +82,20 @@ func show_field(
 	if names != _names or new_layers != _new_layers:
 		_names = names
 		_new_layers = new_layers
-		_make_buttons(functions, titles)
+		_make_tiles(functions, titles)
 	_show()
 
 
-func _make_buttons(functions: Array[PlantFunction], titles: PackedStringArray) -> void:
-	for button in _species.get_children():
-		button.queue_free()
-		_species.remove_child(button)
-	_menu.fill(_names, titles)
+func _make_tiles(functions: Array[PlantFunction], titles: PackedStringArray) -> void:
+	var hints: PackedStringArray = []
 	for i in _names.size():
-		_add_species(functions[i], _names[i], titles[i])
+		hints.append(_explain(_names[i], titles[i]))
+	_menu.fill(_names, titles, hints)
+	for i in _names.size():
+		if functions[i]:
+			EditorInterface.get_resource_previewer().queue_edited_resource_preview(
+				functions[i], self, &"_on_thumbnail_ready", _names[i]
+			)
 
 
 ## Shows [param text] beside the settings until one of them changes.
@@ -116,36 +114,16 @@ func _notification(what: int) -> void:
 		_translate()
 
 
-func _add_species(function: PlantFunction, layer: String, title: String) -> void:
-	var button := Button.new()
-	button.toggle_mode = true
-	button.theme_type_variation = &"FlatButton"
-	button.text = title
-	button.tooltip_text = _explain(layer, title)
-	button.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED
-	button.icon = get_theme_icon(&"Object", &"EditorIcons")
-	var width := int(THUMBNAIL * EditorInterface.get_editor_scale())
-	button.add_theme_constant_override(&"icon_max_width", width)
-	button.toggled.connect(func(is_on: bool) -> void: _choose(layer, is_on))
-	_species.add_child(button)
-	if function:
-		EditorInterface.get_resource_previewer().queue_edited_resource_preview(
-			function, self, &"_on_thumbnail_ready", layer
-		)
-
-
 func _explain(layer: String, title: String) -> String:
 	if layer in _new_layers:
 		return tr("Picked in the panel. Painting adds it to the field.")
-	return tr("Paint %s. Where none is chosen, all are.") % title
+	return title
 
 
 func _on_thumbnail_ready(
 	_path: String, preview: Texture2D, _small: Texture2D, layer: String
 ) -> void:
-	var at := _names.find(layer)
-	if preview and at >= 0 and at < _species.get_child_count():
-		(_species.get_child(at) as Button).icon = preview
+	if preview:
 		_menu.show_picture(layer, preview)
 
 
@@ -154,15 +132,6 @@ func _on_as_mixed_toggled(is_on: bool) -> void:
 		_options.is_as_mixed = true
 	else:
 		_options.density = _density.value
-
-
-func _choose(title: String, is_on: bool) -> void:
-	var chosen := _options.species.duplicate()
-	if is_on and not title in chosen:
-		chosen.append(title)
-	elif not is_on and title in chosen:
-		chosen.remove_at(chosen.find(title))
-	_options.species = chosen
 
 
 # The slider ends at the total density of all species, which is the maximum of the field.
@@ -187,8 +156,7 @@ func _show() -> void:
 	show_message("")
 	visible = _options.tool not in [BrushOptions.Tool.NONE, BrushOptions.Tool.PICK]
 	var paints := not _options.draws_path()
-	_species.visible = paints and _names.size() <= MAX_BUTTONS
-	_menu.visible = paints and _names.size() > MAX_BUTTONS
+	_menu.visible = paints
 	_path_width.visible = not paints
 	for slider: Control in [_radius, _strength, _falloff]:
 		slider.visible = paints
@@ -204,8 +172,6 @@ func _show() -> void:
 	_plant_height.set_value_no_signal(_options.height)
 	_scale_jitter.set_value_no_signal(_options.scale_jitter)
 	_color_jitter.set_value_no_signal(_options.color_jitter)
-	for i in _species.get_child_count():
-		(_species.get_child(i) as Button).set_pressed_no_signal(_names[i] in _options.species)
 
 
 # These sliders do not translate their labels themselves.
@@ -228,7 +194,7 @@ func _fit_sliders() -> void:
 	var font := get_theme_font(&"font", &"LineEdit")
 	var font_size := get_theme_font_size(&"font_size", &"LineEdit")
 	var slack := SLIDER_SLACK * EditorInterface.get_editor_scale()
-	for slider: Control in _numbers.get_children():
+	for slider: Control in _row.get_children():
 		if slider is not EditorSpinSlider:
 			continue
 		var number := slider as EditorSpinSlider

@@ -32,7 +32,7 @@ func _show(error: String) -> void:
 	var property := cause.get_slice(REFUSED, 0)
 	for control in _controls_of(property):
 		if error.begins_with(control.get_edited_object().get_class()):
-			_show_below(control, cause)
+			_show_below(control, property.capitalize() + cause.substr(property.length()))
 
 
 func _show_below(control: EditorProperty, cause: String) -> void:

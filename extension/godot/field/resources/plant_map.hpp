@@ -12,8 +12,8 @@
 
 namespace undergrowth {
 
-/// A painted map of PlantField3Ds: densities, heights and jitter of plants, in one layer per species. Positions are in the
-/// field's own axes. Each change emits `area_changed` with the rectangle (x, z) around it, then `changed`.
+/// A painted map of PlantField3Ds: densities, heights and jitter of plants, in one layer per species. Positions are in
+/// the field's own axes. Each change emits `area_changed` with the rectangle (x, z) around it, then `changed`.
 class PlantMap : public godot::Resource {
 	GDCLASS(PlantMap, godot::Resource)
 
