@@ -3,6 +3,8 @@ extends "editor_test.gd"
 ## Disabling and enabling the add-on.
 
 const PLUGIN := "undergrowth"
+## Of a drawn field.
+const MIN_PRIMITIVES := 3000
 const LIBRARY := "res://addons/undergrowth/undergrowth.gdextension"
 
 
@@ -67,3 +69,49 @@ func test_the_library_is_reloaded_under_the_dock() -> void:
 	var plant := preview_part("Plants").get_child(0) as Plant3D
 	var moves := func() -> bool: return plant.get_deflection() > 1e-3
 	check(await until(moves), "the plant moves")
+
+
+func test_a_field_is_drawn_after_the_library_is_reloaded() -> void:
+	var field := PlantField3D.from_species([GrassFunction.new()])
+	field.size = Vector2(4, 4)
+	field.density = 20.0
+	var root := Node3D.new()
+	root.name = "Yard"
+	root.add_child(field)
+	field.owner = root
+	field = null
+	var scene := PackedScene.new()
+	scene.pack(root)
+	root.free()
+	ResourceSaver.save(scene, "res://reloaded.tscn")
+	EditorInterface.open_scene_from_path("res://reloaded.tscn")
+	EditorInterface.set_main_screen_editor("3D")
+	await frames(10)
+	check(await until(_is_built), "the field is built")
+	check(await _is_drawn(), "the field is drawn")
+	GDExtensionManager.reload_extension(LIBRARY)
+	await frames(10)
+	check(await until(_is_built), "the field is built again")
+	check(await _is_drawn(), "the field is drawn again")
+	(EditorInterface.get_edited_scene_root().get_child(0) as Node3D).hide()
+	check(not await _is_drawn(), "a hidden field is not drawn")
+	EditorInterface.save_scene()
+	EditorInterface.close_scene()
+
+
+# Untyped calls: the types of this script are those of the library before a reload.
+func _is_built() -> bool:
+	var field := EditorInterface.get_edited_scene_root().get_child(0)
+	return field.call("get_plant_count") > 0 and not field.call("is_building")
+
+
+# The grid and the gizmos of the view have fewer primitives than the field.
+func _is_drawn() -> bool:
+	for i in 10:
+		await drawn()
+		await frames(2)
+	var view := EditorInterface.get_editor_viewport_3d(0)
+	var count := view.get_render_info(
+		Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_PRIMITIVES_IN_FRAME
+	)
+	return count > MIN_PRIMITIVES

@@ -239,6 +239,9 @@ void PlantField3D::_notification(int what) {
 			break;
 		case NOTIFICATION_EXTENSION_RELOADED:
 			species.follow();
+			if (is_inside_tree()) {
+				runtime.enter_tree();
+			}
 			dirty.mark_style();
 			dirty.mark_placement();
 			follow_simulation();
