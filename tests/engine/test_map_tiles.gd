@@ -31,9 +31,13 @@ func test_a_map_in_tiles_is_read_as_it_was_written() -> void:
 	var map := _painted([HERE, THERE, ELSEWHERE])
 	map.paint_height(HERE, 2.0, "Poppy", 1.5)
 	map.paint_plants(Vector3(32, 0, 0), 4.0, "Oat", 3.0, 1.0, 0.0)
+	map.paint_scale_jitter(HERE, 2.0, "Poppy", 0.5, 1.0, 0.0)
+	map.paint_color_jitter(THERE, 2.0, "Poppy", 0.75, 1.0, 0.0)
 	_save(map, "a")
 	var read := _load("a")
 	check_equal(read.get_painted_rect(), map.get_painted_rect(), "painted rectangle")
+	check_near(read.get_scale_jitter(HERE, "Poppy"), 0.5, 0.01, "jitter of scale")
+	check_near(read.get_color_jitter(THERE, "Poppy"), 0.75, 0.01, "jitter of color")
 	var names := ["Poppy", "Oat"]
 	for title: String in names:
 		for x in range(-50, 110, 1):
