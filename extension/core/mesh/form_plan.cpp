@@ -12,6 +12,9 @@ int vertex_budget(int lod) {
 
 MeshCounts count_body(const PartGroup &group, const BodyDetail &detail) {
 	const int rings = group.layout == Layout::whorl ? detail.rings : 1;
+	if (group.is_rod) {
+		return { 2 * detail.sides, 6 * detail.sides };
+	}
 	const bool is_cap = group.layout == Layout::whorl || (group.layout == Layout::disc && group.dome <= HALF_SPHERE);
 	const int poles = is_cap ? 1 : 2;
 	return { detail.sides * rings + poles, 3 * detail.sides * (2 * (rings - 1) + poles) };
