@@ -184,7 +184,8 @@ void Growth::place(int group, const Arrangement &arrangement, int carrier, const
 /// of an ear does.
 void Growth::find_rods() {
 	struct Extent {
-		float low = 1e9f, high = -1e9f; ///< m along the carrier.
+		float low = 1.0f, high = 0.0f; ///< Offsets on the carriers.
+		float carrier = 1e9f; ///< m, the shortest one.
 		float longest = 0.0f, away = 0.0f; ///< m from the place on the carrier.
 		bool is_tip = true;
 	};
@@ -198,8 +199,9 @@ void Growth::find_rods() {
 			const glm::vec3 way = tip - grown.point_of(carrier, own->offset);
 			Extent &extent = extents[static_cast<size_t>(own->group)];
 			extent.is_tip = extent.is_tip && own->offset > TIP;
-			extent.low = std::min(extent.low, own->offset * carrier.length);
-			extent.high = std::max(extent.high, own->offset * carrier.length);
+			extent.low = std::min(extent.low, own->offset);
+			extent.high = std::max(extent.high, own->offset);
+			extent.carrier = std::min(extent.carrier, carrier.length);
 			extent.longest = std::max(extent.longest, glm::dot(way, along));
 			extent.away = std::max(extent.away, glm::length(glm::cross(way, along)));
 			own = &carrier;
@@ -209,7 +211,7 @@ void Growth::find_rods() {
 		PartGroup &group = grown.groups[g];
 		const Extent &own = extents[g];
 		const bool is_tip = group.carrier_group != ON_GROUND && own.is_tip;
-		const float length = own.high - own.low + (is_tip ? own.longest : 0.0f);
+		const float length = std::max(own.high - own.low, 0.0f) * own.carrier + (is_tip ? own.longest : 0.0f);
 		is_head[g] = is_tip || (group.carrier_group != ON_GROUND && is_head[static_cast<size_t>(group.carrier_group)]);
 		group.is_rod = is_head[g] && group.layout == Layout::along && length > ROD * own.away;
 	}

@@ -353,8 +353,11 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 			stretch_down(body, form, all > FEW ? std::min(std::sqrt(all), MAX_LENGTHENING) : 1.0f);
 		}
 		const float length = body.rings.back().along - body.rings.front().along;
-		if (body.shown > 0.0f && !form.groups[group].is_rod) {
-			body.shown = std::min(body.shown + others, std::max(MAX_STOUTNESS * length * length, body.shown));
+		if (body.shown > 0.0f) {
+			const bool is_rod = form.groups[group].is_rod; // It has the area of the others already.
+			const float least = is_rod ? body.shown / all : body.shown;
+			const float with_others = is_rod ? body.shown : body.shown + others;
+			body.shown = std::min(with_others, std::max(MAX_STOUTNESS * length * length, least));
 		}
 		const Layout layout = form.groups[group].layout;
 		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as its carrier.
