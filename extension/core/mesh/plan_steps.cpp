@@ -21,7 +21,7 @@ float cover_of(const PartGroup &group, const Part &part) {
 		return 1.0f;
 	}
 	if (group.layout != Layout::whorl) {
-		return group.is_rod ? 0.9f : 0.4f;
+		return group.is_rod ? 0.7f : 0.4f;
 	}
 	const float around = 2.0f * static_cast<float>(PI) * (group.radius + 0.5f * part.mean_length());
 	return std::min(1.0f, static_cast<float>(group.count) * part.width / around);
