@@ -275,7 +275,7 @@ void shape(FormBody &body, const PlantForm &form, const Measure &m, float others
 		shape_dome(body, m, group.dome);
 	} else if (group.layout == Layout::whorl) {
 		shape_lathe(body, m);
-	} else if (group.is_rod) {
+	} else if (body.detail.is_rod) {
 		shape_rod(body, m, others, all);
 	} else {
 		shape_spindle(body, m);
@@ -354,7 +354,7 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		}
 		const float length = body.rings.back().along - body.rings.front().along;
 		if (body.shown > 0.0f) {
-			const bool is_rod = form.groups[group].is_rod; // It has the area of the others already.
+			const bool is_rod = body.detail.is_rod; // It has the area of the others already.
 			const float least = is_rod ? body.shown / all : body.shown;
 			const float with_others = is_rod ? body.shown : body.shown + others;
 			body.shown = std::min(with_others, std::max(MAX_STOUTNESS * length * length, least));

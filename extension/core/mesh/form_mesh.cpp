@@ -137,7 +137,7 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 		attachments.place_rings(body);
 		const FormWriter::Mark begin = writer.mark();
 		const PartGroup &group = form.groups[static_cast<size_t>(body.group)];
-		const bool is_rod = group.is_rod && plan.counts.vertices >= MIN_LIMITED;
+		const bool is_rod = body.detail.is_rod;
 		begin_unit(0.5f, is_rod || group.layout == Layout::whorl || group.layout == Layout::disc);
 		writer.add_body(body);
 		if (body.shown > 0.0f) {
