@@ -3,6 +3,7 @@ extends "res://tests/engine/picture_harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"
 const PLANTS := 6
+const SEED := 4
 ## Height of the view (m) at every distance, as if the camera zoomed.
 const VIEW := 1.6
 const DISTANCES: PackedFloat32Array = [2.0, 8.0, 25.0]
@@ -21,6 +22,19 @@ const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {
 	"poppy": 9.0,
 	"red_clover": 8.0,
 	"yarrow": 8.5,
+}
+## Segments of solid forms, and the ΔE (CIE 1976) by which their mean colour may differ from that of
+## the uncut plant.
+const UNCUT := 60
+const SOLID: PackedInt32Array = [14, 8, 5]
+const MAX_TONE_CHANGE := 2.0
+## The same of species whose coarse forms are less exact.
+const MAX_TONE_CHANGES: Dictionary[String, float] = {
+	"bellflower": 3.3,
+	"dandelion": 2.3,
+	"moss_cushion": 3.7,
+	"straw": 4.7,
+	"yarrow": 2.3,
 }
 ## Limits of undergrowth_in_gamut(): maximum channel, and minimum channel relative to it, linear.
 const MAX_CHANNEL := 0.85
@@ -77,6 +91,27 @@ func test_no_channel_of_a_species_is_clipped() -> void:
 		field.free()
 
 
+func test_solid_forms_have_the_mean_colour_of_the_plant() -> void:
+	var shown := MeshInstance3D.new()
+	var look := StandardMaterial3D.new()
+	look.vertex_color_use_as_albedo = true
+	look.vertex_color_is_srgb = true
+	look.cull_mode = BaseMaterial3D.CULL_DISABLED
+	shown.material_override = look
+	stage.add_child(shown)
+	stage.get_camera_3d().projection = Camera3D.PROJECTION_ORTHOGONAL
+	for file in _species():
+		var species: PlantFunction = load(FOLDER + file + ".tres")
+		shown.mesh = species.generate_mesh(0.0, UNCUT, SEED)
+		var size := shown.mesh.get_aabb().size
+		var uncut := await _tone_of(size)
+		for segments in SOLID:
+			shown.mesh = species.generate_mesh(0.0, segments, SEED)
+			var change := (await _tone_of(size)).distance_to(uncut)
+			var limit: float = MAX_TONE_CHANGES.get(file, MAX_TONE_CHANGE)
+			check(change <= limit, "%s of %d segments: ΔE %.2f" % [file, segments, change])
+
+
 func _species() -> PackedStringArray:
 	var files := PackedStringArray()
 	for file in ResourceLoader.list_directory(FOLDER):
@@ -110,12 +145,42 @@ func _seen_from(away: float) -> Image:
 	return await picture()
 
 
+## Returns the mean colour of a mesh of this size from two sides, in L*a*b*.
+func _tone_of(size: Vector3) -> Vector3:
+	var camera := stage.get_camera_3d()
+	camera.size = 1.1 * maxf(size.y, maxf(size.x, size.z))
+	var middle := Vector3(0, 0.5 * size.y, 0)
+	var sum := Vector4.ZERO
+	for turn: float in [0.3, 1.9]:
+		var way := Vector3(5.0 * sin(turn), 1.5, 5.0 * cos(turn))
+		camera.look_at_from_position(middle + way, middle)
+		sum += _sum_of(await picture())
+	sum /= maxf(sum.w, 1.0)
+	return _lab_of(Vector3(sum.x, sum.y, sum.z))
+
+
+## CIE 1976 L*a*b* under D65.
+func _lab_of(light: Vector3) -> Vector3:
+	var x := light.dot(Vector3(0.4124, 0.3576, 0.1805)) / 0.9505
+	var y := light.dot(Vector3(0.2126, 0.7152, 0.0722))
+	var z := light.dot(Vector3(0.0193, 0.1192, 0.9505)) / 1.089
+	var roots := Vector3(pow(x, 1.0 / 3.0), pow(y, 1.0 / 3.0), pow(z, 1.0 / 3.0))
+	return Vector3(116.0 * roots.y - 16.0, 500.0 * (roots.x - roots.y), 200.0 * (roots.y - roots.z))
+
+
 ## Returns the mean linear colour of the plants.
 func _mean_of(shown: Image) -> Color:
-	var sum := Vector3.ZERO
+	var sum := _sum_of(shown)
+	var largest := maxf(sum.x, maxf(sum.y, sum.z))
+	return Color(sum.x / largest, sum.y / largest, sum.z / largest)
+
+
+## Returns the sum of the linear colours of all pixels, and the number of those that are not black.
+func _sum_of(shown: Image) -> Vector4:
+	var sum := Vector4.ZERO
 	for y in PICTURE_SIZE.y:
 		for x in PICTURE_SIZE.x:
 			var color := shown.get_pixel(x, y).srgb_to_linear()
-			sum += Vector3(color.r, color.g, color.b)
-	var largest := maxf(sum.x, maxf(sum.y, sum.z))
-	return Color(sum.x / largest, sum.y / largest, sum.z / largest)
+			var is_plant := maxf(color.r, maxf(color.g, color.b)) > 0.0
+			sum += Vector4(color.r, color.g, color.b, 1.0 if is_plant else 0.0)
+	return sum

@@ -2,6 +2,8 @@
 
 #include "base/random.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,8 @@ namespace {
 
 constexpr double GOLDEN_SHARE = 0.61803398874989484820;
 constexpr int HEIGHT_PLACES = 8; // Of a midrib whose heights are evaluated.
+constexpr float TIP = 0.75f; // Offset on a carrier.
+constexpr float ROD = 4.0f; // Length over the distance of its parts from their carrier.
 enum Draw : uint64_t { DRAW_LENGTH = 4, DRAW_TINT = 5, DRAW_WANDER = 6 };
 
 uint64_t seed_of(uint64_t seed, int group, int carrier, int i) {
@@ -176,7 +180,45 @@ void Growth::place(int group, const Arrangement &arrangement, int carrier, const
 	grown.placed.push_back(placed);
 }
 
+/// Finds the heads that are rods, with all that they carry. Parts at the tip of their carrier continue it, as the axis
+/// of an ear does.
+void Growth::find_rods() {
+	struct Extent {
+		float low = 1.0f, high = 0.0f; ///< Offsets on the carriers.
+		float carrier = 1e9f; ///< m, the shortest one.
+		float longest = 0.0f, away = 0.0f; ///< m from the place on the carrier.
+		bool is_tip = true;
+	};
+	std::vector<Extent> extents(grown.groups.size());
+	std::vector<bool> is_head(grown.groups.size(), false);
+	for (const PlacedPart &part : grown.placed) {
+		const glm::vec3 tip = grown.point_of(part, 1.0f);
+		for (const PlacedPart *own = &part; own->carrier != ON_GROUND;) {
+			const PlacedPart &carrier = grown.placed[static_cast<size_t>(own->carrier)];
+			const glm::vec3 along = grown.axes_of(carrier, own->offset).along;
+			const glm::vec3 way = tip - grown.point_of(carrier, own->offset);
+			Extent &extent = extents[static_cast<size_t>(own->group)];
+			extent.is_tip = extent.is_tip && own->offset > TIP;
+			extent.low = std::min(extent.low, own->offset);
+			extent.high = std::max(extent.high, own->offset);
+			extent.carrier = std::min(extent.carrier, carrier.length);
+			extent.longest = std::max(extent.longest, glm::dot(way, along));
+			extent.away = std::max(extent.away, glm::length(glm::cross(way, along)));
+			own = &carrier;
+		}
+	}
+	for (size_t g = 0; g < extents.size(); g++) {
+		PartGroup &group = grown.groups[g];
+		const Extent &own = extents[g];
+		const bool is_tip = group.carrier_group != ON_GROUND && own.is_tip;
+		const float length = std::max(own.high - own.low, 0.0f) * own.carrier + (is_tip ? own.longest : 0.0f);
+		is_head[g] = is_tip || (group.carrier_group != ON_GROUND && is_head[static_cast<size_t>(group.carrier_group)]);
+		group.is_rod = is_head[g] && group.layout == Layout::along && length > ROD * own.away;
+	}
+}
+
 PlantForm Growth::finish() {
+	find_rods();
 	float top = 0.0f;
 	for (const PlacedPart &part : grown.placed) {
 		for (int i = 0; i <= HEIGHT_PLACES; i++) {

@@ -37,6 +37,7 @@ private:
 	int depth_of(int handle) const;
 	int add_group(int kind, const Arrangement &arrangement, const std::vector<int> &carriers, int depth);
 	void place_on(int group, const Arrangement &arrangement, int carrier, std::vector<int> &handles);
+	void find_rods();
 	void place(int group, const Arrangement &arrangement, int carrier, const Seat &seat, uint64_t own_seed);
 };
 

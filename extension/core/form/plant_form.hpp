@@ -40,6 +40,7 @@ struct PartGroup {
 	int depth = 1; ///< 1 on the ground.
 	int first = 0; ///< Placed parts first … first + count - 1 are its own.
 	int count = 0;
+	bool is_rod = false; ///< True if they are a head along its axis and close to it, as an ear.
 };
 
 /// One plant of one seed, independent of the level of detail. A flat list; carriers precede the parts that they

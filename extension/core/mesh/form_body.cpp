@@ -27,6 +27,7 @@ constexpr float MIN_END = 0.1f; // Fraction of a spindle's length between its wi
 constexpr float EVEN_LENGTH = 3.4641f; // Length of an even rod over the standard deviation of its points.
 constexpr float MIN_SPREAD = 0.35f; // Of broad bodies, as a fraction of that length.
 constexpr float MIN_TOP = 0.6f; // Mean height of their area, as a fraction of their length.
+constexpr float MAX_TAPER = 0.4f; // Of a rod: change of its radius from the middle to an end.
 constexpr float DISC_RADIUS = 1.4142f; // Radius of an even disc over its root mean square.
 
 /// A third of the area of a part (m²).
@@ -40,7 +41,8 @@ struct ColoredArea {
 struct Measure {
 	float low = 1e9f;
 	float high = -1e9f;
-	float farthest = 0.0f;
+	float farthest = 0.0f; ///< Of midribs (m).
+	float reach = 0.0f; ///< Of edges (m).
 	float area = 0.0f; ///< Area of parts (m²).
 	float shown = 0.0f; ///< Silhouette without occlusion (m²).
 	double moment = 0.0; ///< Area times the distance along the axis.
@@ -101,6 +103,7 @@ void add(
 		m.low = std::min(m.low, own.along);
 		m.high = std::max(m.high, own.along);
 		m.farthest = std::max(m.farthest, own.away);
+		m.reach = std::max(m.reach, own.away + 0.5f * placed.width * part.width_at(0.5f * static_cast<float>(i)));
 		m.along[i] += is_own ? own.along : 0.0f;
 		m.away[i] += is_own ? own.away : 0.0f;
 		m.moment += static_cast<double>(area * own.along / PLACES);
@@ -235,8 +238,20 @@ glm::vec4 color_of(const Measure &m, float from, float to) {
 	return glm::vec4(glm::sqrt(squares / area), alpha / area);
 }
 
+/// Parts close to their axis hide each other, also those of other groups there: a rod is no wider than the parts reach.
+/// It tapers as their area does.
+void shape_rod(FormBody &body, const Measure &m, float others, float all) {
+	const float length = std::max(m.high - m.low, MIN_RADIUS);
+	const float envelope = 2.0f * std::max(m.reach, MIN_RADIUS) * length;
+	body.shown = covered((m.shown + others) / all, envelope) * all;
+	const float mean = static_cast<float>(m.moment / std::max(static_cast<double>(m.area), 1e-12));
+	const float taper = std::clamp(6.0f * ((mean - m.low) / length - 0.5f), -MAX_TAPER, MAX_TAPER);
+	const float radius = 0.5f * body.shown / length;
+	body.rings = { { m.low, radius * (1.0f - taper) }, { m.high, radius * (1.0f + taper) } };
+}
+
 void color_rings(FormBody &body, const Measure &m) {
-	const bool is_divided = body.shown > 0.0f && is_broad(m);
+	const bool is_divided = body.shown > 0.0f && body.rings.size() > 2 && is_broad(m);
 	const float middle = is_divided ? body.rings[1].along : 0.0f;
 	const glm::vec4 upper = color_of(m, is_divided ? middle : -1e9f, 1e9f);
 	for (FormBody::Ring &ring : body.rings) {
@@ -253,12 +268,15 @@ float polygon_fill(int sides) {
 	return static_cast<float>(half_turn / portable_sin(half_turn));
 }
 
-void shape(FormBody &body, const PlantForm &form, const Measure &m) {
+/// `others`: area of parts that are not drawn (m²). `all`: parts of the group, relative to those in bodies.
+void shape(FormBody &body, const PlantForm &form, const Measure &m, float others, float all) {
 	const PartGroup &group = form.groups[static_cast<size_t>(body.group)];
 	if (group.layout == Layout::disc) {
 		shape_dome(body, m, group.dome);
 	} else if (group.layout == Layout::whorl) {
 		shape_lathe(body, m);
+	} else if (body.detail.is_rod) {
+		shape_rod(body, m, others, all);
 	} else {
 		shape_spindle(body, m);
 	}
@@ -322,24 +340,28 @@ std::vector<FormBody> make_bodies(const PlantForm &form, const FormMeasure &meas
 		parts[static_cast<size_t>(bodies[i].group)] += measures[i].count;
 	}
 	for (size_t i = 0; i < bodies.size(); i++) {
-		shape(bodies[i], form, measures[i]);
+		FormBody &body = bodies[i];
 		// If carriers are dropped, the remaining bodies of the group also show their parts.
-		const size_t group = static_cast<size_t>(bodies[i].group);
+		const size_t group = static_cast<size_t>(body.group);
 		const float own = measure.shown[group] * static_cast<float>(measures[i].count) /
 				static_cast<float>(form.groups[group].count);
 		const float more = own > 0.0f ? plan.shown[group] / static_cast<float>(counts[group]) / own : 1.0f;
-		if (bodies[i].shown > 0.0f) {
-			const float all = static_cast<float>(form.groups[group].count) / static_cast<float>(parts[group]);
-			stretch_down(bodies[i], form, all > FEW ? std::min(std::sqrt(all), MAX_LENGTHENING) : 1.0f);
+		const float others = std::max(own * (more - 1.0f), 0.0f);
+		const float all = static_cast<float>(form.groups[group].count) / static_cast<float>(parts[group]);
+		shape(body, form, measures[i], others, all);
+		if (body.shown > 0.0f) {
+			stretch_down(body, form, all > FEW ? std::min(std::sqrt(all), MAX_LENGTHENING) : 1.0f);
 		}
-		const float length = bodies[i].rings.back().along - bodies[i].rings.front().along;
-		if (bodies[i].shown > 0.0f) {
-			const float with_others = bodies[i].shown + std::max(own * (more - 1.0f), 0.0f);
-			bodies[i].shown = std::min(with_others, std::max(MAX_STOUTNESS * length * length, bodies[i].shown));
+		const float length = body.rings.back().along - body.rings.front().along;
+		if (body.shown > 0.0f) {
+			const bool is_rod = body.detail.is_rod; // It has the area of the others already.
+			const float least = is_rod ? body.shown / all : body.shown;
+			const float with_others = is_rod ? body.shown : body.shown + others;
+			body.shown = std::min(with_others, std::max(MAX_STOUTNESS * length * length, least));
 		}
 		const Layout layout = form.groups[group].layout;
 		const bool is_spindle = layout == Layout::along || layout == Layout::ground; // As long as its carrier.
-		for (FormBody::Ring &ring : bodies[i].rings) {
+		for (FormBody::Ring &ring : body.rings) {
 			ring.radius *= std::sqrt(std::min(more, MAX_ENLARGEMENT));
 			ring.along *= is_spindle ? 1.0f : std::sqrt(std::min(more, MAX_ENLARGEMENT));
 		}

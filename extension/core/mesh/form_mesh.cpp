@@ -17,6 +17,7 @@ constexpr float MAX_OF_PART = 1.8f;
 constexpr float MAX_OF_SHEET = 5.0f;
 constexpr int MIN_LIMITED = 60; // Vertices: coarser plants show their mean colour instead of single leaves.
 constexpr float MAX_TAKEN = 0.15f; // Of the area of the largest group, which it takes from others.
+constexpr float MAX_OF_ROD = 1.1f;
 constexpr float MAX_STOUTNESS = 0.65f; // Silhouette of a spindle over its squared length: half of width over length.
 
 /// Shapes that parts of a kind share, created for the first such part. Groups of one kind may have different details.
@@ -135,14 +136,15 @@ void build_form_mesh(const PlantForm &form, const FormMeasure &measure, const Fo
 	for (FormBody &body : make_bodies(form, measure, plan)) {
 		attachments.place_rings(body);
 		const FormWriter::Mark begin = writer.mark();
-		const Layout layout = form.groups[static_cast<size_t>(body.group)].layout;
-		begin_unit(0.5f, layout == Layout::whorl || layout == Layout::disc);
+		const PartGroup &group = form.groups[static_cast<size_t>(body.group)];
+		const bool is_rod = body.detail.is_rod;
+		begin_unit(0.5f, is_rod || group.layout == Layout::whorl || group.layout == Layout::disc);
 		writer.add_body(body);
 		if (body.shown > 0.0f) {
 			const FormWriter::Mark end = writer.mark();
 			writer.widen(begin, end, writer.needed_width(begin, end, body.shown, 0.5f));
 			const float length = body.rings.back().along - body.rings.front().along;
-			units.back().max = std::max(MAX_STOUTNESS * length * length / body.shown, 1.0f);
+			units.back().max = is_rod ? MAX_OF_ROD : std::max(MAX_STOUTNESS * length * length / body.shown, 1.0f);
 		}
 	}
 	if (plan.is_cut) {

@@ -12,13 +12,16 @@ int vertex_budget(int lod) {
 
 MeshCounts count_body(const PartGroup &group, const BodyDetail &detail) {
 	const int rings = group.layout == Layout::whorl ? detail.rings : 1;
+	if (detail.is_rod) {
+		return { 2 * detail.sides, 6 * detail.sides };
+	}
 	const bool is_cap = group.layout == Layout::whorl || (group.layout == Layout::disc && group.dome <= HALF_SPHERE);
 	const int poles = is_cap ? 1 : 2;
 	return { detail.sides * rings + poles, 3 * detail.sides * (2 * (rings - 1) + poles) };
 }
 
 FormPlan plan_form(const PlantForm &form, const FormMeasure &measure, int budget, const CarriedCards &cards) {
-	PlanSteps steps(form, measure, budget > vertex_budget(FINEST_USUAL_LOD), cards);
+	PlanSteps steps(form, measure, budget, cards);
 	bool is_cut = false;
 	while (steps.vertices() > budget && steps.take_best(budget)) {
 		is_cut = true;

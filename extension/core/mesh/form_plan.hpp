@@ -19,6 +19,7 @@ inline constexpr int FINEST_USUAL_LOD = 12;
 struct BodyDetail {
 	int sides = 0;
 	int rings = 1; ///< 1 or 2 for a whorl, 1 for all other bodies.
+	bool is_rod = false; ///< An open rod in place of a spindle.
 };
 
 /// Detail of one group at one level.

@@ -143,7 +143,8 @@ void PlanSteps::offer_body(Step &best, int group, int excess) const {
 	const int carriers =
 			state.body > 0 ? state.bodies : std::max(1, states[static_cast<size_t>(own.carrier_group)].parts);
 	for (size_t body = state.body + 1; body < BODY_COUNT; body++) {
-		const int saved = state.branch_vertices - carriers * count_body(own, BODIES[body]).vertices;
+		const int saved =
+				state.branch_vertices - carriers * count_body(own, body_of(static_cast<size_t>(group), body)).vertices;
 		const float harm = state.body > 0
 				? state.branch_area * (body_error(own, BODIES[body]) - body_error(own, BODIES[state.body]))
 				: state.branch_area * (body_error(own, BODIES[body]) + MERGED + UNCOVERED * (1.0f - state.cover)) -

@@ -13,15 +13,16 @@ namespace undergrowth {
 
 namespace {
 
+constexpr int MIN_RODS = 60; // Vertices: with fewer, plants show their mean colour instead of single ears.
 constexpr float CONTRAST_WEIGHT = 6.0f; // Times the squared distance of the colours.
 
 /// Returns the fraction of a group's body that its parts fill.
-float cover_of(const PartGroup &group, const Part &part) {
+float cover_of(const PartGroup &group, const Part &part, bool has_rods) {
 	if (group.layout == Layout::disc) {
 		return 1.0f;
 	}
 	if (group.layout != Layout::whorl) {
-		return 0.4f;
+		return group.is_rod && has_rods ? 0.7f : 0.4f;
 	}
 	const float around = 2.0f * static_cast<float>(PI) * (group.radius + 0.5f * part.mean_length());
 	return std::min(1.0f, static_cast<float>(group.count) * part.width / around);
@@ -34,9 +35,9 @@ float worth_of(const glm::vec3 &color, const glm::vec3 &mean) {
 	return 1.0f + CONTRAST_WEIGHT * glm::dot(way, way);
 }
 
-PlanSteps::PlanSteps(
-		const PlantForm &p_form, const FormMeasure &p_measure, bool is_close, const CarriedCards &p_cards) :
-		form(p_form), measure(p_measure), cards(p_cards), states(p_form.groups.size()) {
+PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, int budget, const CarriedCards &p_cards) :
+		form(p_form), measure(p_measure), cards(p_cards), has_rods(budget >= MIN_RODS), states(p_form.groups.size()) {
+	const bool is_close = budget > vertex_budget(FINEST_USUAL_LOD);
 	for (size_t g = 0; g < states.size(); g++) {
 		const Part &part = form.parts[static_cast<size_t>(form.groups[g].kind)];
 		State &state = states[g];
@@ -45,7 +46,7 @@ PlanSteps::PlanSteps(
 			state.costs.push_back(count_part(part, detail).vertices);
 			state.errors.push_back(error_of(part, detail));
 		}
-		state.cover = cover_of(form.groups[g], part);
+		state.cover = cover_of(form.groups[g], part, has_rods);
 		count_left(g);
 		state.area = measure.shown[g];
 		const int carrier = form.groups[g].carrier_group;
@@ -159,10 +160,16 @@ void PlanSteps::recount() {
 	add_up_branches();
 }
 
+BodyDetail PlanSteps::body_of(size_t group, size_t body) const {
+	BodyDetail detail = BODIES[body];
+	detail.is_rod = body > 0 && has_rods && form.groups[group].is_rod;
+	return detail;
+}
+
 int PlanSteps::own_vertices(size_t group) const {
 	const State &state = states[group];
 	return state.parts * state.costs[state.detail] + state.card_vertices +
-			state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
+			state.bodies * count_body(form.groups[group], body_of(group, state.body)).vertices;
 }
 
 void PlanSteps::add_up_branches() {
@@ -207,8 +214,8 @@ bool PlanSteps::could_fit(size_t group, const Drawn &next, int room) const {
 	if (!state.carried.empty() || state.card_area > 0.0f || (state.body == 0) != (next.body == 0)) {
 		return true;
 	}
-	const int bodies_now = state.bodies * count_body(form.groups[group], BODIES[state.body]).vertices;
-	const int finer = next.body > 0 ? state.bodies * count_body(form.groups[group], BODIES[next.body]).vertices
+	const int bodies_now = state.bodies * count_body(form.groups[group], body_of(group, state.body)).vertices;
+	const int finer = next.body > 0 ? state.bodies * count_body(form.groups[group], body_of(group, next.body)).vertices
 									: count_drawn(group, DENSITIES[next.density]) * state.costs[next.detail];
 	return finer - (next.body > 0 ? bodies_now : state.parts * state.costs[state.detail]) <= room;
 }
@@ -298,11 +305,11 @@ FormPlan PlanSteps::finish() {
 	for (size_t g = 0; g < states.size(); g++) {
 		const State &state = states[g];
 		const PartDetail &detail = state.details[state.detail];
-		plan.groups.push_back({ detail, DENSITIES[state.density], BODIES[state.body] });
+		plan.groups.push_back({ detail, DENSITIES[state.density], body_of(g, state.body) });
 		const MeshCounts part = count_part(form.parts[static_cast<size_t>(form.groups[g].kind)], detail);
 		plan.counts.vertices += own_vertices(g) - state.card_vertices;
 		plan.counts.indices +=
-				state.parts * part.indices + state.bodies * count_body(form.groups[g], BODIES[state.body]).indices;
+				state.parts * part.indices + state.bodies * count_body(form.groups[g], body_of(g, state.body)).indices;
 	}
 	plan.fates = std::move(fates);
 	plan.bodies = std::move(bodies);

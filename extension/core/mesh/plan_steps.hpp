@@ -25,8 +25,9 @@ float worth_of(const glm::vec3 &color, const glm::vec3 &mean);
 /// Reduces a form from full detail step by step (plan_form).
 class PlanSteps {
 public:
-	/// `is_close`: starts with close-up details.
-	PlanSteps(const PlantForm &form, const FormMeasure &measure, bool is_close = false, const CarriedCards &cards = {});
+	/// Large budgets start with close-up details, and small ones have no rods.
+	PlanSteps(const PlantForm &form, const FormMeasure &measure, int budget = vertex_budget(FINEST_USUAL_LOD),
+			const CarriedCards &cards = {});
 
 	int vertices() const { return total; }
 	/// Takes the step with the lowest cost per saved vertex; vertices below the budget do not count as saved. For
@@ -87,6 +88,7 @@ private:
 	const PlantForm &form;
 	const FormMeasure &measure;
 	const CarriedCards cards;
+	const bool has_rods;
 	std::vector<State> states;
 	std::vector<Twins> twins;
 	std::vector<FormPlan::Fate> fates;
@@ -109,6 +111,7 @@ private:
 	float thin_error(const State &state, size_t density) const;
 	bool has_twin(int group) const;
 	void pass_on(std::vector<float> &shown) const;
+	BodyDetail body_of(size_t group, size_t body) const;
 	int own_vertices(size_t group) const;
 	Step find_best(int group, int excess) const;
 	void take(const Step &step);

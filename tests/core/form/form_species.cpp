@@ -170,6 +170,21 @@ PlantForm grow_fern(uint64_t seed) {
 	return plant.finish();
 }
 
+PlantForm grow_cereal(uint64_t seed) {
+	Part leaf = colored(blade(0.17f, 0.26f, 0.012f, GRASS_PROFILE, 75.0f), 0x8a9648, 0xc9b060);
+	leaf.blade.twist = 80.0f * DEGREE;
+	Grower plant(seed);
+	const std::vector<int> culms = plant.add(
+			colored(axis(0.6f, 0.8f, 0.0036f, 0.002f, 7.0f), 0xa89c4c, 0xc9a850), tuft(4, 0.018f, { 1.0f, 9.0f }));
+	plant.add(leaf, along(4, 0.14f, 0.76f, 180.0f, { 26.0f, 34.0f }), culms);
+	const std::vector<int> ears = plant.add(colored(axis(0.08f, 0.1f, 0.0022f, 0.0014f, 14.0f), 0xc9a850, 0xcfae58),
+			along(1, 1.0f, 1.0f, 0.0f, {}), culms);
+	const Part spikelet = colored(bead(0.0135f, 0.0072f), 0xb89a48, 0xdfc47a);
+	plant.add(spikelet, along(22, 0.0f, 1.0f, 180.0f, { 32.0f, 12.0f }), ears);
+	plant.add(spikelet, along(22, 0.0f, 1.0f, 180.0f, { 24.0f, 10.0f }), ears);
+	return plant.finish();
+}
+
 PlantForm grow_alone(const Part &part, uint64_t seed) {
 	Grower plant(seed);
 	plant.add(part, arranged(Layout::ground, 1));

@@ -2,7 +2,7 @@
 
 #include "form/growth.hpp"
 
-/// Four plants of parts for tests: a tuft of grass, a tulip, a daisy and a fern, grown as by a script.
+/// Five plants of parts for tests: a tuft of grass, a tulip, a daisy, a fern and a cereal, grown as by a script.
 
 inline constexpr float DEGREE = 0.01745329f;
 
@@ -10,6 +10,7 @@ undergrowth::PlantForm grow_grass(uint64_t seed);
 undergrowth::PlantForm grow_tulip(uint64_t seed);
 undergrowth::PlantForm grow_daisy(uint64_t seed);
 undergrowth::PlantForm grow_fern(uint64_t seed);
+undergrowth::PlantForm grow_cereal(uint64_t seed);
 
 /// A form with a single upright part on the ground.
 undergrowth::PlantForm grow_alone(const undergrowth::Part &part, uint64_t seed = 1);

@@ -378,3 +378,35 @@ TEST_CASE("a plan within its budget draws all parts at full detail") {
 	CHECK(std::all_of(
 			plan.fates.begin(), plan.fates.end(), [](FormPlan::Fate fate) { return fate == FormPlan::drawn; }));
 }
+
+TEST_CASE("ears keep their width where bodies replace them") {
+	const PlantForm form = grow_cereal(4);
+	const FormMeasure measure = measure_form(form);
+	for (const int segments : { 8, 6, 5 }) {
+		const FormPlan plan = plan_form(form, measure, vertex_budget(segments));
+		INFO(segments << " segments");
+		REQUIRE(plan.body_count == 4);
+		const BuiltForm mesh = build(form, plan);
+		int ear = 0;
+		for (int i = 0; i < plan.body_count; i++) {
+			const auto placed = std::find(plan.bodies.begin(), plan.bodies.end(), i) - plan.bodies.begin();
+			const PartGroup &group = form.groups[static_cast<size_t>(form.placed[static_cast<size_t>(placed)].group)];
+			CHECK(group.is_rod);
+			ear += count_body(group, plan.groups[static_cast<size_t>(&group - form.groups.data())].body).vertices;
+		}
+		for (int i = mesh.size() - ear; i < mesh.size(); i++) {
+			CHECK(glm::length(glm::vec3(mesh.custom2[static_cast<size_t>(i)])) < 0.0115f);
+		}
+	}
+}
+
+TEST_CASE("only heads whose parts are close to their axis are rods") {
+	const auto count_rods = [](const PlantForm &form) {
+		return std::count_if(
+				form.groups.begin(), form.groups.end(), [](const PartGroup &group) { return group.is_rod; });
+	};
+	CHECK(count_rods(grow_cereal(4)) == 3); // The ears, and both kinds of their spikelets.
+	for (const Grow grow : { grow_grass, grow_tulip, grow_daisy, grow_fern }) {
+		CHECK(count_rods(grow(4)) == 0);
+	}
+}

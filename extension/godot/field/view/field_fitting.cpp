@@ -34,7 +34,8 @@ static constexpr float SOLID_SEEN_END = 5.0f;
 // segments, they would be seen for a short way, and with gaps.
 static constexpr float MAX_SHARE_WITH_CLOSEST = 0.6f;
 static constexpr float BODIES_SEEN_END = 12.0f; // m.
-static constexpr int MIN_SEGMENTS_OF_BODIES = 5; // Finer ones have many bodies.
+static constexpr float NEAREST_BODIES = 2.0f; // m, of forms with many bodies:
+static constexpr int MIN_SEGMENTS_OF_BODIES = 5;
 static constexpr float NEAR_END = 20.0f; // m: levels that end farther are drawn in squares.
 // m: a level that begins nearer, and is drawn plant by plant, has this many variants. A plant must not become another
 // one where its stems can be counted.
@@ -78,10 +79,13 @@ void fit_tiles(FieldLevel &level, float tile_size, bool is_wider) {
 	}
 }
 
-// Ears and panicles on cards do not become a few bodies where those are seen, even if their outline is better.
-static bool shows_bodies_late(const FieldRenderSetup &setup, const SpeciesStyle &style, size_t level) {
-	return level + 1 < setup.levels.size() && style.has_cards_before(level) && style.have_bodies[level] &&
-			setup.levels[level].lod < MIN_SEGMENTS_OF_BODIES;
+// Ears and panicles on cards do not become bodies where those are seen, even if their outline is better. The nearest
+// distance (m) of a level with bodies, 0 without them.
+static float begin_of_bodies(const FieldRenderSetup &setup, const SpeciesStyle &style, size_t level) {
+	if (level + 1 >= setup.levels.size() || !style.has_cards_before(level) || !style.have_bodies[level]) {
+		return 0.0f;
+	}
+	return setup.levels[level].lod < MIN_SEGMENTS_OF_BODIES ? BODIES_SEEN_END : NEAREST_BODIES;
 }
 
 // The nearest distance (m) of a level with cards: its texels are as large as the allowed error, and solid plants are
@@ -115,9 +119,7 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 				: lathe_begin(setup.levels[i].lod);
 		const float factor = 1.0f + (coarser - 1.0f) * std::min(own / COARSENED_FROM, 1.0f);
 		const bool is_carded = is_first_solid && style.are_carded[i];
-		const float least = shows_bodies_late(setup, style, i) ? BODIES_SEEN_END
-				: is_carded									   ? begin_of_cards(rule, style)
-															   : 0.0f;
+		const float least = is_carded ? begin_of_cards(rule, style) : begin_of_bodies(setup, style, i);
 		begins.push_back(i == 0 ? 0.0f : std::max(own / factor, least) * rule.lod_bias);
 	}
 	for (size_t i = begins.size() - 1; i-- > 0;) {
