@@ -87,7 +87,10 @@ void PlantMotion::park() {
 	if (!group()) {
 		return;
 	}
-	parked = motion_state({});
+	parked.reset();
+	if (!group()->page.is_at_rest(index())) {
+		parked = motion_state({});
+	}
 	own_bone = bone();
 	if (place.group) {
 		if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {

@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -316,6 +317,31 @@ TEST_CASE("plants begin with the bend of their own weight, taller ones with thei
 	}
 	field.settle();
 	CHECK(lean_of(field, 0) == doctest::Approx(calm[0]).epsilon(BEND_TOLERANCE));
+}
+
+TEST_CASE("a page of another species: plants at rest get the bend of its weight, others keep theirs") {
+	MotionSpecies heavy = species_of(Law::stem);
+	heavy.stem = solve_stem(leafy_stem(0.5)).constants;
+	MotionSpecies rigid = heavy;
+	StemBeam straight = leafy_stem(0.5);
+	straight.nods = false;
+	rigid.stem = solve_stem(straight).constants;
+	const MotionPlant plants[2] = { leaning(0.6f, 0.3), leaning(0.6f, 0.3) };
+	MotionPage page(0, heavy, plants, 2, FIELD_STEP, true, MotionPage::Keeps::directions);
+	const auto bend_of = [&](int row) {
+		return std::acos(std::min(glm::dot(page.rest(row), page.state(row).direction), 1.0f));
+	};
+	const float nod = bend_of(0);
+	CHECK(nod > 0.02f);
+	CHECK(page.is_at_rest(0));
+	page.apply_impulse(1, { 0.001f, 0.0f, 0.0f });
+	CHECK_FALSE(page.is_at_rest(1));
+	page.set_species(rigid);
+	CHECK(bend_of(0) == doctest::Approx(0.0f).epsilon(BEND_TOLERANCE));
+	CHECK(page.is_at_rest(0));
+	CHECK(bend_of(1) == doctest::Approx(nod).epsilon(BEND_TOLERANCE));
+	page.set_species(heavy);
+	CHECK(bend_of(0) == doctest::Approx(nod).epsilon(BEND_TOLERANCE));
 }
 
 TEST_CASE("followers of prototypes nod like them") {
