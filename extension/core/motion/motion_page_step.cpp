@@ -23,6 +23,7 @@ using namespace motion_page_columns;
 namespace {
 
 constexpr float MAX_REST_ERROR = 1e-3f; // Of bends as half floats.
+constexpr float MAX_REST_RATE = 1e-3f; // 1/s.
 
 /// Seconds of a small swing of the elasticity law.
 float swing_of(const Joint &joint, float length) {
@@ -291,13 +292,13 @@ glm::vec2 MotionPage::nod(int row) {
 }
 
 static bool is_still(const StemState &state) {
-	return glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;
+	return glm::length(state.rate[0]) + glm::length(state.rate[1]) <= MAX_REST_RATE;
 }
 
 bool MotionPage::is_at_rest(int index) {
 	const TipState tip = state(index);
 	if (kind.law != Law::stem || !is_swinging) {
-		return glm::length(tip.rate) == 0.0f && glm::distance(tip.direction, rest(index)) < MAX_REST_ERROR;
+		return glm::length(tip.rate) <= MAX_REST_RATE && glm::distance(tip.direction, rest(index)) < MAX_REST_ERROR;
 	}
 	StemState calm;
 	divide_tip(kind.stem, nod(index), calm.place);

@@ -364,4 +364,16 @@ TEST_CASE("followers of prototypes nod like them") {
 	CHECK(calm > 0.31f);
 	run(field, 10.0);
 	CHECK(lean_of_chord() == doctest::Approx(calm).epsilon(BEND_TOLERANCE));
+	StemBeam straight = leafy_stem(0.5);
+	straight.nods = false;
+	const StemConstants nodding = species.stem;
+	species.stem = solve_stem(straight).constants;
+	field.set_species(0, species);
+	CHECK(lean_of_chord() == doctest::Approx(0.3).epsilon(BEND_TOLERANCE));
+	species.stem = nodding;
+	species.lean = 0.2f;
+	field.set_species(0, species);
+	species.lean = 0.3f;
+	field.set_species(0, species);
+	CHECK(lean_of_chord() == doctest::Approx(calm).epsilon(BEND_TOLERANCE));
 }
