@@ -88,7 +88,8 @@ void PlantMotion::park() {
 		return;
 	}
 	parked.reset();
-	if (!group()->page.is_at_rest(index())) {
+	MotionPage &page = group()->page;
+	if (page.stem_constants().nod.share == 0.0f || !page.is_at_rest(index())) {
 		parked = motion_state({});
 	}
 	own_bone = bone();
