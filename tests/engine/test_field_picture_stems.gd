@@ -36,6 +36,13 @@ func test_a_reed_that_leans() -> void:
 	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 240, 2.5)
 
 
+func test_a_reed_that_nods_under_its_weight() -> void:
+	var species := make_reed()
+	species.lean = deg_to_rad(25.0)
+	species.stem.nods = true
+	await _compare(species, Transform3D(Basis(Vector3.UP, 2.0)), 240, 0.0, false, 0.02)
+
+
 func test_low_leaves_of_a_leaning_stem_stay_at_its_root() -> void:
 	var leaf := PlantBlade.of({length = Vector2(0.4, 0.4), width = 0.08})
 	var leaves := PlantArrangement.new()

@@ -49,6 +49,36 @@ func test_leaning_stems_nod_under_their_weight_if_they_are_to() -> void:
 	reed.species.stem.nods = false
 
 
+func test_a_plant_without_simulation_has_the_bend_of_its_weight() -> void:
+	reed.species.stem.nods = true
+	var bends: Array[float] = []
+	for lean: float in [0.0, 10.0, 20.0]:
+		reed.species.lean = deg_to_rad(lean)
+		reed.reset_motion()
+		await frames(2)
+		var unmoved := reed.get_deflection()
+		bends.append(unmoved)
+		for i in 600:
+			reed.advance(1.0 / 60.0)
+		check_near(reed.get_deflection(), unmoved, 1e-3, "bend at once, lean %d" % lean)
+	check_near(bends[0], 0.0, 1e-4, "bend of an upright stem")
+	check(bends[1] > 0.02 and bends[2] > 1.5 * bends[1], "bends of leaning stems: %s" % [bends])
+	reed.reset_motion()
+	reed.species.stem.nods = false
+	await frames(2)
+	check_near(reed.get_deflection(), 0.0, 1e-3, "bend without its weight")
+	reed.species.stem.nods = true
+	await frames(2)
+	check_near(reed.get_deflection(), bends[2], 1e-3, "bend with its weight again")
+	var parent := reed.get_parent()
+	parent.remove_child(reed)
+	parent.add_child(reed)
+	await frames(2)
+	check_near(reed.get_deflection(), bends[2], 1e-3, "bend in the tree again")
+	reed.species.lean = 0.0
+	reed.species.stem.nods = false
+
+
 func test_the_chain_of_bones_keeps_its_length() -> void:
 	for joints: int in [1, 2, 4, 8]:
 		reed.species.stem.joints = joints

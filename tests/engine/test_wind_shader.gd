@@ -62,6 +62,73 @@ func test_the_shader_shows_the_same_wind_over_a_canopy() -> void:
 		await _check_shown(material, sample, mean)
 
 
+func test_a_scene_wind_needs_no_call_for_any_material() -> void:
+	var wind := _apply_wind()
+	wind.scene_wind = true
+	var material := _make_sheet(SHADER.replace("undergrowth_wind.gd", "undergrowth_scene_wind.gd"))
+	var sample := func(place: Vector3) -> Vector3:
+		return wind.sample_velocity(wind.get_time(), place)
+	await frames(3)
+	paused = true
+	wind.advance(0.0)  # Shows its own time, between two steps.
+	await _check_shown(material, sample, wind.speed)
+	var held := wind.get_time()
+	await frames(20)
+	check_equal(wind.get_time(), held, "clock in a pause")
+	paused = false
+	wind.scene_wind = false
+	await _check_shown(material, func(_place: Vector3) -> Vector3: return Vector3.ZERO, wind.speed)
+
+
+func test_a_scene_wind_is_shown_at_most_two_frames_late() -> void:
+	var wind := _apply_wind()
+	wind.scene_wind = true
+	var material := _make_sheet(SHADER.replace("undergrowth_wind.gd", "undergrowth_scene_wind.gd"))
+	material.set_shader_parameter("along_z", 1.0)
+	await frames(20)
+	await RenderingServer.frame_post_draw
+	var picture := _stage.get_texture().get_image()
+	var least := INF
+	for half_frames in 5:
+		var time := wind.get_time() - half_frames / 120.0
+		var worst := 0.0
+		for i in SIDE:
+			var part := (i + 0.5) / SIDE * SPAN
+			var own := wind.sample_velocity(time, CORNER + Vector3(part, 0, part)).z
+			worst = maxf(worst, absf(_read(picture.get_pixel(i, i)) - own))
+		least = minf(least, worst)
+	check(least < 5.0 * TOLERANCE * wind.speed, "the nearest time is off by %f m/s" % least)
+	wind.scene_wind = false
+
+
+func test_a_freed_scene_wind_leaves_calm_air() -> void:
+	var wind := _apply_wind()
+	wind.scene_wind = true
+	var material := _make_sheet(SHADER.replace("undergrowth_wind.gd", "undergrowth_scene_wind.gd"))
+	await frames(2)
+	wind = null
+	await _check_shown(material, func(_place: Vector3) -> Vector3: return Vector3.ZERO, 12.0)
+
+
+func test_a_second_scene_wind_replaces_the_first_with_a_warning() -> void:
+	var first := _apply_wind()
+	var second := _apply_wind()
+	first.scene_wind = true
+	var start := first.get_time()
+	await frames(20)
+	check(first.get_time() > start, "its clock runs without any plant")
+	second.scene_wind = true
+	check_error("replaces another scene wind")
+	first.scene_wind = false
+	start = second.get_time()
+	await frames(20)
+	check(second.get_time() > start, "the second one runs")
+	second.scene_wind = false
+	start = second.get_time()
+	await frames(20)
+	check_equal(second.get_time(), start, "clock of a wind that nothing uses")
+
+
 func test_telling_it_in_each_frame_gives_the_renderer_nothing_to_draw() -> void:
 	var wind := PlantWind.new()
 	wind.kind = PlantWind.KIND_AIR
@@ -119,19 +186,24 @@ func _check_shown(material: ShaderMaterial, sample: Callable, mean: float) -> vo
 
 
 func _show(wind: PlantWind) -> ShaderMaterial:
+	var material := _make_sheet(SHADER)
+	wind.apply_to_material(material)
+	return material
+
+
+func _make_sheet(code: String) -> ShaderMaterial:
 	_stage = SubViewport.new()
 	_stage.size = Vector2i(SIDE, SIDE)
 	_stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
 	root.add_child(_stage)
 	var material := ShaderMaterial.new()
 	material.shader = Shader.new()
-	material.shader.code = SHADER
+	material.shader.code = code
 	material.set_shader_parameter("corner", CORNER)
 	var sheet := ColorRect.new()
 	sheet.size = Vector2(SIDE, SIDE)
 	sheet.material = material
 	_stage.add_child(sheet)
-	wind.apply_to_material(material)
 	return material
 
 

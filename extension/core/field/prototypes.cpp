@@ -139,21 +139,32 @@ Follower Prototypes::pick(const MotionPlant &plant, uint64_t hash) const {
 void Prototypes::set_species(const MotionSpecies &species) {
 	const bool respread = species.law != page.law() || species.shortest != shortest || species.longest != longest ||
 			species.lean != lean;
-	if (!respread) {
+	const bool was_calm = is_at_rest();
+	if (respread) {
+		const int all = count();
+		MotionPage spread(page.species(), species, spread_plants(species, all).data(), all, page.step_length(), true);
+		for (int i = 0; i < all && !was_calm; i++) {
+			spread.set_state(i, page.state(i), page.second(i));
+		}
+		page = std::move(spread);
+		shortest = species.shortest;
+		longest = species.longest;
+		lean = species.lean;
+	} else {
 		page.set_species(species);
-		divide_history();
-		return;
 	}
-	const int all = count();
-	MotionPage spread(page.species(), species, spread_plants(species, all).data(), all, page.step_length(), true);
-	for (int i = 0; i < all; i++) {
-		spread.set_state(i, page.state(i), page.second(i));
-	}
-	page = std::move(spread);
 	divide_history();
-	shortest = species.shortest;
-	longest = species.longest;
-	lean = species.lean;
+	if (was_calm) {
+		remember_rest();
+	}
+}
+
+bool Prototypes::is_at_rest() {
+	int row = 0;
+	while (row < count() && page.is_at_rest(row)) {
+		row++;
+	}
+	return row == count();
 }
 
 BendWay Prototypes::way(int mode, int prototype, float late, float fraction) const {

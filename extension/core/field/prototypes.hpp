@@ -43,7 +43,7 @@ public:
 	/// Picks a prototype with the lean of `plant`, or with about its height if frequencies depend on the height, and a
 	/// delay of up to a second, both by `hash`.
 	Follower pick(const MotionPlant &plant, uint64_t hash) const;
-	/// Does not interrupt the motion; rest directions may change.
+	/// Does not interrupt the motion; rest directions may change. Prototypes that are all at rest are so afterwards.
 	void set_species(const MotionSpecies &species);
 
 	/// As MotionPage::set_taller_plants().
@@ -84,6 +84,7 @@ private:
 	void remember(int slot);
 	void remember_rest();
 	void divide_history();
+	bool is_at_rest();
 	int pick_tall(float length, uint64_t chance) const;
 };
 

@@ -220,6 +220,12 @@ bool MotionPage::has_same_columns(const MotionSpecies &species) const {
 void MotionPage::set_species(const MotionSpecies &species) {
 	const bool has_other_radius = species.collision_radius != kind.collision_radius;
 	const bool has_one_of_two = modes() < max_modes();
+	std::vector<int> at_rest; // These plants get the bend of their new weight.
+	for (int i = 0; (kind.stem.nod.share != 0.0f || species.stem.nod.share != 0.0f) && i < size(); i++) {
+		if (is_at_rest(i)) {
+			at_rest.push_back(i);
+		}
+	}
 	const Precipitation carried = load;
 	carry({});
 	set_modes(max_modes());
@@ -233,6 +239,9 @@ void MotionPage::set_species(const MotionSpecies &species) {
 	ahead.forget();
 	if (is_swinging) {
 		update_constants(0);
+	}
+	for (const int row : at_rest) {
+		settle(row);
 	}
 	set_modes(has_one_of_two ? 1 : max_modes());
 	carry(carried);

@@ -185,6 +185,8 @@ public:
 	void settle();
 	/// Sets one plant to rest, in the same way.
 	void settle(int index);
+	/// True for a plant that does not move, without load and lasting bend, with the bend of its own weight.
+	bool is_at_rest(int index);
 	/// Reserves room for `plants` in total; add() does not allocate up to that number.
 	void reserve(int plants);
 	/// Appends `count` valid plants, at rest.

@@ -22,6 +22,9 @@ using namespace motion_page_columns;
 
 namespace {
 
+constexpr float MAX_REST_ERROR = 1e-3f; // Of bends as half floats.
+constexpr float MAX_REST_RATE = 1e-3f; // 1/s.
+
 /// Seconds of a small swing of the elasticity law.
 float swing_of(const Joint &joint, float length) {
 	const float stiffness = std::max(joint.elasticity, 1e-3f) * STANDARD_GRAVITY;
@@ -288,11 +291,27 @@ glm::vec2 MotionPage::nod(int row) {
 	return rest * (0.5f * scale * lean * page.step.nod.share / (1.0f + scale * page.step.nod.ease * (2.0f - lean)));
 }
 
+static bool is_still(const StemState &state) {
+	return glm::length(state.rate[0]) + glm::length(state.rate[1]) <= MAX_REST_RATE;
+}
+
+bool MotionPage::is_at_rest(int index) {
+	const TipState tip = state(index);
+	if (kind.law != Law::stem || !is_swinging) {
+		return glm::length(tip.rate) <= MAX_REST_RATE && glm::distance(tip.direction, rest(index)) < MAX_REST_ERROR;
+	}
+	StemState calm;
+	divide_tip(kind.stem, nod(index), calm.place);
+	calm = safe_stem(kind.stem, calm);
+	const StemState now = stem(index);
+	return is_still(now) && weight.is_none() && lasting.at(index) == glm::vec2(0.0f) &&
+			glm::distance(tip_bend(kind.stem, now), tip_bend(kind.stem, calm)) < MAX_REST_ERROR;
+}
+
 /// Plants from `begin` to `end` that do not move and are straight, or have the bend of their own weight alone, begin
 /// with the bend under all weights.
 void MotionPage::settle_under_weight(int begin, int end) {
 	constexpr int TRIES = 64;
-	constexpr float MAX_ROUNDING = 1e-3f; // Of bends as half floats.
 	const bool nods = kind.law == Law::stem && max_lean > 0.0f && kind.stem.nod.share != 0.0f;
 	if (!is_swinging || (weight.is_none() && !nods)) {
 		return;
@@ -304,9 +323,8 @@ void MotionPage::settle_under_weight(int begin, int end) {
 		StemState state = stem(row);
 		const glm::vec2 own = nod(row);
 		const glm::vec2 tip = tip_bend(kind.stem, state);
-		const bool is_still = std::min(glm::length(tip), glm::length(tip - own)) < MAX_ROUNDING &&
-				glm::length(state.rate[0]) + glm::length(state.rate[1]) == 0.0f;
-		for (int i = 0; is_still && i < (weight.is_none() ? 1 : TRIES); i++) {
+		const bool begins = is_still(state) && std::min(glm::length(tip), glm::length(tip - own)) < MAX_REST_ERROR;
+		for (int i = 0; begins && i < (weight.is_none() ? 1 : TRIES); i++) {
 			glm::vec2 bend(0.0f);
 			if (!weight.is_none()) {
 				set.weigh_stems(stem_page(row), roots_x() + row, roots_z() + row, 1, weight, &bend.x, &bend.y);
@@ -316,7 +334,7 @@ void MotionPage::settle_under_weight(int begin, int end) {
 			}
 			put_stem(row, state);
 		}
-		if (is_still) {
+		if (begins) {
 			set_stem(row, state);
 			set_before(row, direction(row));
 			set_stem_before(row, stem(row));

@@ -156,8 +156,18 @@ void Plant3D::update_simulation() {
 		motion.simulate(simulation, moved());
 	} else {
 		motion.park();
+		bend_at_rest();
 	}
 	update_bone();
+}
+
+// A page of its own gives a plant that nothing moves the bend of its own weight.
+void Plant3D::bend_at_rest() {
+	const bool is_unmoved =
+			PlantSimulation::get_singleton() && motion.is_unmoved() && species.is_valid() && !mesh_is_dirty;
+	if (is_unmoved && kind_of_motion().stem.nod.share > 0.0f && rest().y < 1.0f) {
+		motion.drive(moved());
+	}
 }
 
 // Heights and covers in steps, so that plants of a field share pages.
@@ -188,6 +198,7 @@ void Plant3D::update_motion() {
 	if (!motion.follow(moved())) {
 		update_simulation();
 	}
+	bend_at_rest();
 	update_bone();
 	if (!motion.is_simulated()) {
 		motion.pose_now(rest());

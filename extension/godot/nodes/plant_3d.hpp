@@ -60,6 +60,7 @@ class Plant3D : public godot::Node3D {
 	void report_problem(const godot::String &what);
 	void update_axes();
 	void update_motion();
+	void bend_at_rest();
 	void update_bone();
 	bool may_simulate() const;
 	bool can_be_driven();

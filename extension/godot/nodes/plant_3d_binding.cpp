@@ -75,6 +75,7 @@ void Plant3D::apply_impulse(const Vector3 &impulse, int joint) {
 
 void Plant3D::reset_motion() {
 	motion.reset();
+	bend_at_rest();
 	update_bone();
 	motion.pose_now(rest());
 }

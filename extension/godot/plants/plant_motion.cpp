@@ -87,7 +87,11 @@ void PlantMotion::park() {
 	if (!group()) {
 		return;
 	}
-	parked = motion_state({});
+	parked.reset();
+	MotionPage &page = group()->page;
+	if (page.stem_constants().nod.share == 0.0f || !page.is_at_rest(index())) {
+		parked = motion_state({});
+	}
 	own_bone = bone();
 	if (place.group) {
 		if (PlantSimulation *simulation = PlantSimulation::get_singleton()) {

@@ -52,8 +52,10 @@ public:
 	void simulate(PlantSimulation *simulation, const MovedPlant &moved);
 	/// Sets another row of the simulation.
 	void moved_to(int index) { place.index = index; }
-	/// Takes the motion out of its page.
+	/// Takes the motion out of its page. A stem at rest that nods keeps no state, so that it follows its species.
 	void park();
+	/// True for a plant without a page that nothing has moved.
+	bool is_unmoved() const { return !group() && !parked; }
 	void leave_simulation();
 
 	/// True if it has a page of its own, with steps as long as those of the simulation.

@@ -163,6 +163,9 @@ void PlantSimulation::list_winds() {
 			list(field->get_wind());
 		}
 	}
+	if (!is_paused) {
+		list(PlantWind::scene_wind());
+	}
 }
 
 void PlantSimulation::step_groups(double ago) {
@@ -234,6 +237,7 @@ void PlantSimulation::advance(double delta) {
 	drop_empty_groups();
 	follow_groups();
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
+	is_paused = tree && tree->is_paused();
 	PlantWindSource3D::follow_all();
 	body_readings.begin_frame(tree, delta);
 	if (bodies.are_needed()) {
@@ -254,6 +258,9 @@ void PlantSimulation::advance(double delta) {
 	}
 	step_time_usec = microseconds_since(start);
 	pose_plants();
+	if (const PlantWind *shown = PlantWind::scene_wind(); shown && !is_paused) {
+		shown->show_in_shaders((1.0 - clock.alpha()) * clock.step());
+	}
 	pose_time_usec = microseconds_since(start) - step_time_usec;
 }
 
@@ -263,6 +270,14 @@ void PlantSimulation::on_process_frame() {
 	SceneTree *tree = Object::cast_to<SceneTree>(ObjectDB::get_instance(connected_tree));
 	if (tree) {
 		advance(tree->get_root()->get_process_delta_time());
+	}
+}
+
+void PlantSimulation::follow_main_loop() {
+	Engine *engine = Engine::get_singleton();
+	SceneTree *tree = Object::cast_to<SceneTree>(engine->get_main_loop());
+	if (PlantSimulation *simulation = get_singleton(); simulation && tree && !engine->is_editor_hint()) {
+		simulation->follow(tree);
 	}
 }
 

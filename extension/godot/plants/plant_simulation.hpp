@@ -38,6 +38,7 @@ class PlantSimulation : public godot::Object {
 	bool are_groups_new = false; ///< Groups were added or removed since the last update of bodies and contact.
 	bool is_contact_dirty = false; ///< Plants with contact were added or removed.
 	bool has_reported_crowd = false;
+	bool is_paused = false; ///< The tree, in this frame.
 	size_t next_to_shelter = 0; ///< Plant whose surroundings are read next.
 	FixedStep clock;
 	StepBudget budget;
@@ -107,6 +108,8 @@ public:
 	void start_steps_soon() { steps_start.queue(); }
 	void on_steps_collected();
 	void follow(godot::SceneTree *tree);
+	/// Follows the tree of the running game, if there is one.
+	static void follow_main_loop();
 
 	int get_plant_count() const;
 	double get_step_time_usec() const;

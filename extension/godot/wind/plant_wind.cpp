@@ -6,7 +6,9 @@
 #include "base/messages.hpp"
 #include "base/shortest_decimal.hpp"
 #include "conventions.hpp"
+#include "plants/plant_simulation.hpp"
 #include "wind/air_tiles_cache.hpp"
+#include "wind/wind_shader.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +139,44 @@ void PlantWind::trigger_gust(double strength, double duration) {
 	begin_gust();
 }
 
+static PlantWind *shown_in_shaders = nullptr;
+
+PlantWind *PlantWind::scene_wind() {
+	return shown_in_shaders;
+}
+
+PlantWind::~PlantWind() {
+	set_scene_wind(false);
+}
+
+void PlantWind::set_scene_wind(bool on) {
+	if (on == is_scene_wind) {
+		return;
+	}
+	is_scene_wind = on;
+	if (on) {
+		if (shown_in_shaders) {
+			report_warning(this,
+					"replaces another scene wind in the global shader parameters. Disable scene_wind in one of the "
+					"two.");
+		}
+		shown_in_shaders = this;
+		add_scene_wind_parameters();
+		PlantSimulation::follow_main_loop();
+		show_in_shaders(0.0);
+	} else if (shown_in_shaders == this) {
+		shown_in_shaders = nullptr;
+		calm_scene_wind();
+	}
+	emit_changed();
+}
+
+void PlantWind::show_in_shaders(double seconds) const {
+	if (shown_in_shaders == this) {
+		blowing.wind.kind == WindKind::air ? show_scene_wind(travelling(), clock.now() - seconds) : calm_scene_wind();
+	}
+}
+
 double PlantWind::get_time() const {
 	return clock.now();
 }
@@ -149,6 +189,7 @@ void PlantWind::advance(double seconds) {
 	}
 	blended.clear();
 	set_clock(clock.moved_to(clock.now() + seconds));
+	show_in_shaders(0.0);
 }
 
 void PlantWind::advance_step(uint64_t number, double length) {

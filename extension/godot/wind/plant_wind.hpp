@@ -50,6 +50,7 @@ private:
 	StepTime clock;
 	uint64_t gusts = 0; ///< Number of triggered gusts.
 	uint64_t last_step = 0; ///< Number of the step that last advanced the clock.
+	bool is_scene_wind = false;
 
 	void begin_gust();
 	void set_clock(const StepTime &next);
@@ -70,6 +71,7 @@ protected:
 
 public:
 	PlantWind();
+	~PlantWind() override;
 
 	void set_kind(Kind kind);
 	Kind get_kind() const;
@@ -113,6 +115,13 @@ public:
 	godot::PackedVector2Array sample_over_canopy(double at_time, const godot::PackedVector2Array &places) const;
 	/// Sets the present wind in a material that includes undergrowth_wind.gdshaderinc.
 	void apply_to_material(const godot::Ref<godot::Material> &material) const;
+	/// True: each frame sets this wind in the global shader parameters. The last wind for which it was set has effect.
+	void set_scene_wind(bool on);
+	bool get_scene_wind() const { return is_scene_wind; }
+	/// Returns the wind that the global shader parameters have, or null.
+	static PlantWind *scene_wind();
+	/// Sets the wind of `seconds` ago in the global shader parameters, if it is theirs.
+	void show_in_shaders(double seconds) const;
 	/// Changes this air to that of another wind within `seconds` of its clock.
 	void blend_to(const godot::Ref<PlantWind> &wind, double seconds);
 

@@ -14,7 +14,7 @@ namespace undergrowth {
 
 void PlantWind::_validate_property(PropertyInfo &property) const {
 	static const char *const air_only[] = { "speed", "turbulence", "gustiness", "roughness", "canopy_height",
-		"canopy_wave_amount" };
+		"canopy_wave_amount", "scene_wind" };
 	static const char *const newtons_only[] = { "strength", "frequency", "travel_speed" };
 	const String name = property.name;
 	const auto is_in = [&](const auto &names) {
@@ -111,6 +111,9 @@ void PlantWind::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "travel_speed", PROPERTY_HINT_RANGE, "0,50,0.1,or_greater,suffix:m/s"),
 			"set_travel_speed", "get_travel_speed");
 	bind_air();
+	ClassDB::bind_method(D_METHOD("set_scene_wind", "on"), &PlantWind::set_scene_wind);
+	ClassDB::bind_method(D_METHOD("get_scene_wind"), &PlantWind::get_scene_wind);
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "scene_wind"), "set_scene_wind", "get_scene_wind");
 	bind_precipitation();
 
 	BIND_ENUM_CONSTANT(KIND_GUST);

@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -318,6 +319,31 @@ TEST_CASE("plants begin with the bend of their own weight, taller ones with thei
 	CHECK(lean_of(field, 0) == doctest::Approx(calm[0]).epsilon(BEND_TOLERANCE));
 }
 
+TEST_CASE("a page of another species: plants at rest get the bend of its weight, others keep theirs") {
+	MotionSpecies heavy = species_of(Law::stem);
+	heavy.stem = solve_stem(leafy_stem(0.5)).constants;
+	MotionSpecies rigid = heavy;
+	StemBeam straight = leafy_stem(0.5);
+	straight.nods = false;
+	rigid.stem = solve_stem(straight).constants;
+	const MotionPlant plants[2] = { leaning(0.6f, 0.3), leaning(0.6f, 0.3) };
+	MotionPage page(0, heavy, plants, 2, FIELD_STEP, true, MotionPage::Keeps::directions);
+	const auto bend_of = [&](int row) {
+		return std::acos(std::min(glm::dot(page.rest(row), page.state(row).direction), 1.0f));
+	};
+	const float nod = bend_of(0);
+	CHECK(nod > 0.02f);
+	CHECK(page.is_at_rest(0));
+	page.apply_impulse(1, { 0.001f, 0.0f, 0.0f });
+	CHECK_FALSE(page.is_at_rest(1));
+	page.set_species(rigid);
+	CHECK(bend_of(0) == doctest::Approx(0.0f).epsilon(BEND_TOLERANCE));
+	CHECK(page.is_at_rest(0));
+	CHECK(bend_of(1) == doctest::Approx(nod).epsilon(BEND_TOLERANCE));
+	page.set_species(heavy);
+	CHECK(bend_of(0) == doctest::Approx(nod).epsilon(BEND_TOLERANCE));
+}
+
 TEST_CASE("followers of prototypes nod like them") {
 	FieldSettings settings;
 	settings.prototypes = 8;
@@ -337,5 +363,17 @@ TEST_CASE("followers of prototypes nod like them") {
 	const float calm = lean_of_chord();
 	CHECK(calm > 0.31f);
 	run(field, 10.0);
+	CHECK(lean_of_chord() == doctest::Approx(calm).epsilon(BEND_TOLERANCE));
+	StemBeam straight = leafy_stem(0.5);
+	straight.nods = false;
+	const StemConstants nodding = species.stem;
+	species.stem = solve_stem(straight).constants;
+	field.set_species(0, species);
+	CHECK(lean_of_chord() == doctest::Approx(0.3).epsilon(BEND_TOLERANCE));
+	species.stem = nodding;
+	species.lean = 0.2f;
+	field.set_species(0, species);
+	species.lean = 0.3f;
+	field.set_species(0, species);
 	CHECK(lean_of_chord() == doctest::Approx(calm).epsilon(BEND_TOLERANCE));
 }
