@@ -33,6 +33,12 @@ class Guide(unittest.TestCase):
         for page in self.pages:
             self.assertLess(len(page.read_text(encoding="utf-8").splitlines()), MAX_LINES, page.name)
 
+    def test_shaders_of_the_scene_wind_are_those_of_its_picture(self):
+        page = (GUIDE / "scene_wind.md").read_text(encoding="utf-8")
+        shown = re.findall(r"```gdshader\n(.*?)```", page, re.DOTALL)
+        drawn = [(SCENES / f"scene_wind_{name}.gdshader").read_text(encoding="utf-8") for name in ("tree", "flag", "smoke")]
+        self.assertEqual(shown, drawn)
+
     def test_each_picture_has_a_scene_and_a_page(self):
         text = "".join(page.read_text(encoding="utf-8") for page in self.pages)
         pictures = {path.stem for path in (GUIDE / "pictures").glob("*.webp")}
