@@ -2,6 +2,7 @@
 extends "actions_test.gd"
 ## The dock on screens of 1600 × 900 and 1920 × 1080, where it has no column of its own.
 
+const Dock := preload("res://addons/undergrowth/editor/dock.gd")
 const SCENE := "res://layout.tscn"
 const READY := "res://addons/undergrowth/species/poppy.tres"
 const LONG := "res://foxtail.gd: its base shape runs clockwise as seen from above. Reverse it."
@@ -38,6 +39,13 @@ func test_two_rows_of_tiles_are_seen() -> void:
 	check(columns >= 7, "%d columns" % columns)
 	var end := tiles().get_item_rect(columns).end.y
 	check(end <= tiles().size.y, "the second row ends at %f of %f" % [end, tiles().size.y])
+
+
+func test_one_row_of_tiles_leaves_room_in_a_low_window() -> void:
+	var low := Dock.height_in(1080.0, 2.0)
+	check_equal(low, 392.0, "height at 200 % on 1080 pixels")
+	check_equal(Dock.height_in(900.0, 1.0), 296.0, "two rows on 900")
+	check_equal(Dock.height_in(2160.0, 2.0), 592.0, "two rows at 200 % on 2160")
 
 
 func test_categories_are_in_one_line_in_each_language() -> void:
