@@ -165,7 +165,7 @@ void Plant3D::update_simulation() {
 void Plant3D::bend_at_rest() {
 	const bool is_unmoved =
 			PlantSimulation::get_singleton() && motion.is_unmoved() && species.is_valid() && !mesh_is_dirty;
-	if (is_unmoved && kind_of_motion().stem.nod.share > 0.0f && rest().y < 1.0f) {
+	if (is_unmoved && rest().y < 1.0f && kind_of_motion().stem.nod.share > 0.0f) {
 		motion.drive(moved());
 	}
 }

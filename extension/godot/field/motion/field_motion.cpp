@@ -258,23 +258,19 @@ void FieldMotion::set_species(int index, const SpeciesStyle &style, const PlantS
 }
 
 void FieldMotion::set_rests(const PageRows &own, const std::vector<glm::vec3> &rests, bool is_still) {
-	static constexpr float STILL = 1e-3f; // rad, and 1/s.
 	MotionPage &plants = simulation->page(own.page);
 	std::vector<std::pair<int, glm::vec3>> at_rest;
 	for (int i = own.first; is_still && plants.swings() && i < own.first + own.count; i++) {
-		const TipState state = plants.state(i);
-		if (glm::distance(state.direction, plants.rest(i)) < STILL && glm::length(state.rate) < STILL) {
+		if (plants.is_at_rest(i)) {
 			at_rest.emplace_back(i, plants.rest(i));
 		}
 	}
 	simulation->set_rests(own.page, own.first, rests.data(), own.count);
 	textures->write_beside(*simulation, own.page);
 	for (const auto &[i, was] : at_rest) {
-		if (plants.rest(i) == was) {
-			continue; // With the same rest, the plant may be passing through it.
+		if (plants.rest(i) != was) { // With the same rest, the plant may be passing through it.
+			plants.settle(i);
 		}
-		plants.set_state(i, { plants.rest(i), {} });
-		plants.set_before(i, plants.rest(i));
 	}
 }
 

@@ -201,29 +201,30 @@ void PlantMap::fill_polygon_plants(const PackedVector3Array &points, const Strin
 	}
 }
 
-double PlantMap::get_plant_density(const Vector3 &point, const String &species) const {
+// Returns an unpainted cell for an unknown species and for a position that is not finite.
+DensityCell PlantMap::cell_at(const Vector3 &point, const String &species) const {
 	const int layer = map.find_layer(text_of(species));
-	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).plant_density());
+	return layer < 0 || !point.is_finite() ? DensityCell() : map.cell_at(layer, place_of(point));
+}
+
+double PlantMap::get_plant_density(const Vector3 &point, const String &species) const {
+	return double(cell_at(point, species).plant_density());
 }
 
 double PlantMap::get_density(const Vector3 &point, const String &species) const {
-	const int layer = map.find_layer(text_of(species));
-	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).share());
+	return double(cell_at(point, species).share());
 }
 
 double PlantMap::get_height_factor(const Vector3 &point, const String &species) const {
-	const int layer = map.find_layer(text_of(species));
-	return layer < 0 || !point.is_finite() ? 1.0 : double(map.cell_at(layer, place_of(point)).height_factor());
+	return double(cell_at(point, species).height_factor());
 }
 
 double PlantMap::get_scale_jitter(const Vector3 &point, const String &species) const {
-	const int layer = map.find_layer(text_of(species));
-	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).scale_range());
+	return double(cell_at(point, species).scale_range());
 }
 
 double PlantMap::get_color_jitter(const Vector3 &point, const String &species) const {
-	const int layer = map.find_layer(text_of(species));
-	return layer < 0 || !point.is_finite() ? 0.0 : double(map.cell_at(layer, place_of(point)).color_range());
+	return double(cell_at(point, species).color_range());
 }
 
 PackedStringArray PlantMap::get_painted_species() const {

@@ -34,6 +34,7 @@ class PlantMap : public godot::Resource {
 	bool read_rect(const char *method, const godot::Rect2 &rect, CellRange &into) const;
 	/// Returns false, with an error, if the polygon is invalid or the map cannot be changed.
 	bool read_polygon(const char *method, const godot::PackedVector3Array &points, Polygon &into);
+	DensityCell cell_at(const godot::Vector3 &point, const godot::String &species) const;
 	void stroke(const char *method, const DensityBrush &brush, const godot::String &species,
 			const DensityStroke &stroke, double strength);
 
