@@ -172,19 +172,27 @@ void FieldPlants::append(const FieldPlants &other) {
 	append_column(warmth, other.warmth);
 }
 
+float FieldPlants::angle_of(uint16_t code) {
+	return static_cast<float>(code * (2.0 * PI / TURN_CODES));
+}
+
+float FieldPlants::color_of(int8_t code) {
+	return static_cast<float>(code) / COLOR_CODES;
+}
+
 PlacedPlant FieldPlants::plant(int index) const {
 	const auto i = static_cast<std::size_t>(index);
 	PlacedPlant plant;
 	plant.root = { x[i], y[i], z[i] };
 	plant.scale = scale[i];
-	plant.turn = static_cast<float>(turn[i] * (2.0 * PI / TURN_CODES));
+	plant.turn = angle_of(turn[i]);
 	plant.height = static_cast<float>(height[i] / HEIGHT_CODES);
 	plant.lean = static_cast<float>(lean[i] / LEAN_CODES);
-	plant.side = static_cast<float>(side[i] * (2.0 * PI / TURN_CODES));
+	plant.side = angle_of(side[i]);
 	plant.species = species[i];
 	plant.variant = variant[i];
-	plant.lightness = static_cast<float>(lightness[i]) / COLOR_CODES;
-	plant.warmth = static_cast<float>(warmth[i]) / COLOR_CODES;
+	plant.lightness = color_of(lightness[i]);
+	plant.warmth = color_of(warmth[i]);
 	return plant;
 }
 

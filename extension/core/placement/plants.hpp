@@ -57,6 +57,10 @@ struct FieldPlants {
 	/// Appends all plants of `other`, in their order.
 	void append(const FieldPlants &other);
 	PlacedPlant plant(int index) const;
+	/// Returns the angle (rad) of a value of `turn` or `side`.
+	static float angle_of(uint16_t code);
+	/// Returns the number, -1 to 1, of a value of `lightness` or `warmth`.
+	static float color_of(int8_t code);
 	/// Plant `to` becomes equal to plant `from`.
 	void copy(int from, int to);
 	/// The plants order[0], order[1], … to order[size() - 1].

@@ -183,6 +183,7 @@ private:
 	std::unique_ptr<FieldBuild> drafted;
 	bool joins = false; ///< The job joins tiles that were built one by one.
 	WorkerTask clearing; ///< Frees the data of the last job.
+	bool holds_free_memory = false; ///< A large build has freed memory since return_memory().
 	GroundQueryQueue ground_queue;
 	bool is_of_tiles = false; ///< The last build was one of tiles.
 	/// An edit that the first build repeats.
@@ -276,6 +277,7 @@ private:
 	void drop_job();
 	/// Returns false while more has to be prepared.
 	bool make_ready();
+	void return_memory();
 	void poll_all(double delta, bool physics);
 	void serve_ground(double delta, bool physics);
 	void poll_job(bool physics);

@@ -3,6 +3,7 @@
 #include "field/field_runtime.hpp"
 
 #include "base/frame_budget.hpp"
+#include "base/free_memory.hpp"
 #include "base/stopwatch.hpp"
 
 #include <algorithm>
@@ -13,6 +14,8 @@ using namespace godot;
 namespace undergrowth {
 
 static constexpr double FREEING_SHARE = 0.5; // Of the budget of a frame.
+// Plants from which on the memory that a build has freed is returned: 30 MB for its species, 250 bytes a plant.
+static constexpr int LARGE_BUILD = 2000;
 
 void FieldRuntime::rebuild(bool places, bool styles) {
 	if (!node->is_inside_tree()) {
@@ -195,6 +198,13 @@ void FieldRuntime::poll(double delta, bool physics) {
 	caller = before;
 }
 
+void FieldRuntime::return_memory() {
+	if (holds_free_memory && !is_at_work() && !is_building() && !clearing.is_running()) {
+		holds_free_memory = false;
+		clearing.start(&return_free_memory);
+	}
+}
+
 void FieldRuntime::poll_all(double delta, bool physics) {
 	if (!physics) {
 		view.flush_if_undrawn();
@@ -204,6 +214,7 @@ void FieldRuntime::poll_all(double delta, bool physics) {
 	if (!physics && !is_transferring() && !view.free_some(FREEING_SHARE * budget_usec())) {
 		retired.clear();
 		retired_materials.clear();
+		return_memory();
 	}
 	poll_tiles(physics);
 	poll_parts(physics ? DirtyTiles::Moment::physics : DirtyTiles::Moment::begun, delta);
@@ -252,6 +263,7 @@ void FieldRuntime::poll_job(bool physics) {
 	std::unique_ptr<FieldBuild> finished = std::move(job);
 	const bool is_adopted = adopt(*finished);
 	clearing.start(finished->take_garbage());
+	holds_free_memory = store.plant_count() >= LARGE_BUILD;
 	if (is_adopted && finished->is_draft()) {
 		refine(std::move(finished));
 		return;

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -16,8 +17,6 @@
 using namespace godot;
 
 namespace undergrowth {
-
-static constexpr int COLOR_FLOATS = FieldRenderSetup::FLOATS_WITH_COLORS - FieldRenderSetup::FLOATS;
 
 // Cost of a draw in vertices: drawing this many invisible vertices costs as much as one more draw.
 static constexpr float VERTICES_OF_DRAW = 3000.0f;
@@ -133,7 +132,7 @@ static void divide_chunk(const FieldRenderSetup &setup, const DrawnChunk &drawn,
 	std::vector<int> found(size_t(squares.cuts * squares.cuts * groups), -1);
 	for (const DrawnPlant *plant = begin; plant < end; plant++) {
 		const BatchKey place = place_of(setup, level, drawn, squares, plant->root);
-		const int group = plant->variant % groups;
+		const int group = int(plant->variant) % groups;
 		int &number = found[size_t(std::max(place.part, 0) * groups + group)];
 		if (number < 0) {
 			const int next = int(division.numbers.size());
@@ -176,37 +175,16 @@ static Division divide(
 	return division;
 }
 
-// Slope of a plant's x axis for a warmth of 1, and of its z axis for a lightness of 1: too small to be seen, but the
-// shader reads them (undergrowth_color_of). Instances without jitter have upright axes.
-static constexpr float COLOR_SLOPE = 0.0009765625f; // 2^-10.
-
-// Writes a plant to a plan's buffer and returns the position after it.
-static float *write_plant(const FieldRenderSetup &setup, const DrawnPlant &plant, float mesh_height, float *to) {
-	const float slope = COLOR_SLOPE * plant.scale;
-	const float transform[] = { plant.cosine, 0.0f, plant.sine, plant.root.x, //
-		slope * plant.warmth, plant.scale, slope * plant.lightness, plant.root.y, //
-		-plant.sine, 0.0f, plant.cosine, plant.root.z };
-	to = std::copy(std::begin(transform), std::end(transform), to);
-	if (setup.needs_colors) {
-		to = std::fill_n(to, COLOR_FLOATS, 1.0f); // White.
-	}
-	for (const float number : { plant.texel, plant.layer, plant.rank, plant.height / mesh_height }) {
-		*to++ = number;
-	}
-	return to;
-}
-
 // Writes the plants of a plan by cells. Each cell's plants stay in the order of rank.
 static void fill_square(const FieldRenderSetup &setup, const RankedPlants &ranked, const int *order, BatchPlan &plan) {
 	constexpr float FAR = std::numeric_limits<float>::max();
-	const SpeciesStyle &style = setup.styles[size_t(plan.species)];
 	auto square = std::make_shared<NearSquare>();
 	glm::vec3 lowest(FAR), highest(-FAR);
 	for (int i = 0; i < plan.count; i++) {
 		const glm::vec3 &root = ranked.plants[size_t(order[i])].root;
 		lowest = glm::min(lowest, root);
 		highest = glm::max(highest, root);
-		square->reach = std::max(square->reach, ranked.plants[size_t(order[i])].reach);
+		square->reach = std::max(square->reach, ranked.reaches[size_t(order[i])]);
 	}
 	const glm::vec2 low(lowest.x, lowest.z), high(highest.x, highest.z);
 	const auto cells = [](float metres) { return int(metres / NearSquare::CELL_SIZE) + 1; };
@@ -225,12 +203,9 @@ static void fill_square(const FieldRenderSetup &setup, const RankedPlants &ranke
 	const std::vector<int> sorted =
 			counting_sort(std::vector<int>(order, order + plan.count), square->columns * square->rows, cell_of);
 	square->begins.assign(size_t(square->columns * square->rows) + 1, 0);
-	square->instances.resize(int64_t(plan.count) * square->stride);
-	float *to = square->instances.ptrw();
+	square->plants.reserve(size_t(plan.count));
 	for (const int number : sorted) {
-		const DrawnPlant &plant = ranked.plants[size_t(number)];
-		to = write_plant(setup, plant, style.variants[size_t(plant.variant) % style.variants.size()].height, to);
-		square->variants.push_back(uint16_t(plant.variant));
+		square->plants.push_back(ranked.plants[size_t(number)]);
 		square->begins[size_t(cell_of(number)) + 1]++;
 	}
 	std::partial_sum(square->begins.begin(), square->begins.end(), square->begins.begin());
@@ -249,12 +224,13 @@ static void fill_plan(const FieldRenderSetup &setup, const RankedPlants &ranked,
 	for (int i = 0; i < plan.count; i++) {
 		const DrawnPlant &plant = ranked.plants[size_t(order[i])];
 		const glm::vec3 &root = plant.root;
-		to = write_plant(setup, plant, mesh_height, to);
+		const float reach = ranked.reaches[size_t(order[i])];
+		to = plant.write(plan.stride, mesh_height, to);
 		low = glm::min(low, root);
 		high = glm::max(high, root);
-		lowest = glm::min(lowest, root - plant.reach);
-		highest = glm::max(highest, root + plant.reach);
-		plan.rank_counts[size_t(plant.step)]++;
+		lowest = glm::min(lowest, root - reach);
+		highest = glm::max(highest, root + reach);
+		plan.rank_counts[size_t(std::ceil(plant.rank() * RANK_STEPS))]++;
 	}
 	std::partial_sum(plan.rank_counts.begin(), plan.rank_counts.end(), plan.rank_counts.begin());
 	plan.roots = AABB(to_godot(low), to_godot(high - low));

@@ -123,7 +123,7 @@ void NearPlants::set_squares(std::vector<std::shared_ptr<NearSquare>> &&now) {
 	}
 	squares = std::move(now);
 	for (const std::shared_ptr<NearSquare> &square : squares) {
-		square->drawn.assign(square->variants.size(), 0);
+		square->drawn.assign(square->plants.size(), 0);
 	}
 	is_due = true;
 }

@@ -18,9 +18,8 @@ AABB NearSquare::box_of(int cell) const {
 
 int NearSquare::count_ranked(int cell, float cut) const {
 	const int first = begins[size_t(cell)], end = begins[size_t(cell) + 1];
-	const float *ranks = instances.ptr() + stride - 2;
 	int plant = first;
-	while (plant < end && ranks[int64_t(plant) * stride] <= cut) {
+	while (plant < end && plants[size_t(plant)].rank() <= cut) {
 		plant++;
 	}
 	return plant - first;

@@ -1,9 +1,10 @@
 #pragma once
 
+#include "base/convert.hpp"
+#include "field/view/drawn_plant.hpp"
 #include "field/view/field_level.hpp"
 
 #include <godot_cpp/variant/aabb.hpp>
-#include <godot_cpp/variant/packed_float32_array.hpp>
 #include <godot_cpp/variant/vector3.hpp>
 
 #include <glm/vec2.hpp>
@@ -22,8 +23,7 @@ struct NearSquare {
 
 	int species = 0;
 	int stride = 0; ///< Floats per plant, as in a multimesh.
-	godot::PackedFloat32Array instances;
-	std::vector<uint16_t> variants; ///< By plant: less than the number of the species' variants.
+	std::vector<DrawnPlant> plants;
 	glm::vec2 low = { 0.0f, 0.0f }; ///< m, of the first cell.
 	int columns = 0;
 	int rows = 0;
@@ -33,10 +33,7 @@ struct NearSquare {
 	float reach = 0.0f; ///< Largest distance of a plant's parts from its root (m).
 	std::vector<uint16_t> drawn; ///< By plant: bits of the levels that draw it. Only NearPlants writes it.
 
-	godot::Vector3 root(int plant) const {
-		const float *own = instances.ptr() + int64_t(plant) * stride;
-		return godot::Vector3(own[3], own[7], own[11]);
-	}
+	godot::Vector3 root(int plant) const { return to_godot(plants[size_t(plant)].root); }
 	/// Writes the instances of `count` plants, for the meshes of some variants: mesh i is that of variant i, and
 	/// variant v is drawn by mesh v % `meshes`. `heights`: m, of all variants. `add(mesh)` returns where one plant is
 	/// written.
@@ -56,13 +53,10 @@ struct NearSquare {
 
 template <class Add>
 void NearSquare::write(int first, int count, const std::vector<float> &heights, size_t meshes, const Add &add) const {
-	const float *from = instances.ptr() + int64_t(first) * stride;
-	for (int plant = first; plant < first + count; plant++, from += stride) {
-		const size_t variant = variants[size_t(plant)];
-		const size_t mesh = variant % meshes;
-		float *to = add(mesh);
-		std::copy_n(from, stride, to);
-		to[stride - 1] *= heights[variant] / heights[mesh];
+	for (int i = first; i < first + count; i++) {
+		const DrawnPlant &plant = plants[size_t(i)];
+		const size_t mesh = plant.variant % meshes;
+		plant.write(stride, heights[mesh], add(mesh));
 	}
 }
 

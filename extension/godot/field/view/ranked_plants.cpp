@@ -1,7 +1,6 @@
 #include "field/view/ranked_plants.hpp"
 
 #include "base/counting_sort.hpp"
-#include "field/view/plant_transforms.hpp"
 #include "placement/lod_density.hpp"
 
 #include <cmath>
@@ -22,22 +21,20 @@ static int rank_of(const PlantChunk &chunk, int slot) {
 	return int(plant_rank(chunk.id(slot)) * float(RANK_COUNT));
 }
 
-static DrawnPlant drawn_plant(const FieldRenderSetup &setup, const DrawnChunk &drawn, int slot) {
-	const SpeciesStyle &style = setup.styles[size_t(drawn.chunk->species)];
-	const PlacedPlant plant = drawn.chunk->plants.plant(slot);
-	const Basis axes = drawn_transform(plant).basis;
+static DrawnPlant drawn_plant(const SpeciesStyle &style, const DrawnChunk &drawn, const PlacedPlant &plant, int slot) {
+	const FieldPlants &plants = drawn.chunk->plants;
+	const size_t at = size_t(slot);
 	DrawnPlant made;
 	made.root = plant.root;
-	made.scale = axes.rows[1].y;
-	made.cosine = axes.rows[0].x;
-	made.sine = axes.rows[0].z;
-	made.texel = float(drawn.texels.first + slot + HALVES_COUNT_FROM);
-	made.layer = float(drawn.texels.layer + HALVES_COUNT_FROM);
+	made.scale = plant.scale;
 	made.height = style.height_of(plant);
-	made.reach = style.reach_of(plant, style.has_parts() ? PARTS_WIDENING : MAX_WIDENING);
-	made.variant = int(size_t(plant.variant) % style.variants.size());
-	made.lightness = plant.lightness;
-	made.warmth = plant.warmth;
+	made.rank_code = uint32_t(rank_of(*drawn.chunk, slot));
+	made.variant = uint32_t(size_t(plant.variant) % style.variants.size());
+	made.turn = plants.turn[at];
+	made.texel = int16_t(drawn.texels.first + slot + HALVES_COUNT_FROM);
+	made.layer = int16_t(drawn.texels.layer + HALVES_COUNT_FROM);
+	made.lightness = plants.lightness[at];
+	made.warmth = plants.warmth[at];
 	return made;
 }
 
@@ -48,25 +45,24 @@ RankedPlants rank_plants(const FieldRenderSetup &setup, const std::vector<DrawnC
 	}
 	RankedPlants ranked;
 	ranked.plants.reserve(count);
-	std::vector<int> ranks;
-	ranks.reserve(count);
+	ranked.reaches.reserve(count);
 	for (const DrawnChunk &drawn : chunks) {
-		ranked.begins.push_back(int(ranks.size()));
+		const SpeciesStyle &style = setup.styles[size_t(drawn.chunk->species)];
+		ranked.begins.push_back(int(ranked.plants.size()));
 		for (int slot = 0; slot < drawn.chunk->size(); slot++) {
 			if (!drawn.chunk->is_gone(slot)) {
-				ranks.push_back(rank_of(*drawn.chunk, slot));
-				ranked.plants.push_back(drawn_plant(setup, drawn, slot));
-				DrawnPlant &plant = ranked.plants.back();
-				plant.rank = float(ranks.back()) / float(RANK_COUNT);
-				plant.step = int(std::ceil(plant.rank * RANK_STEPS));
+				const PlacedPlant plant = drawn.chunk->plants.plant(slot);
+				ranked.plants.push_back(drawn_plant(style, drawn, plant, slot));
+				ranked.reaches.push_back(style.reach_of(plant, style.has_parts() ? PARTS_WIDENING : MAX_WIDENING));
 			}
 		}
 	}
-	ranked.begins.push_back(int(ranks.size()));
-	ranked.by_rank.resize(ranks.size());
+	ranked.begins.push_back(int(ranked.plants.size()));
+	ranked.by_rank.resize(ranked.plants.size());
 	std::iota(ranked.by_rank.begin(), ranked.by_rank.end(), 0);
-	ranked.by_rank = counting_sort(ranked.by_rank, HALF_RANKS, [&](int i) { return ranks[size_t(i)] % HALF_RANKS; });
-	ranked.by_rank = counting_sort(ranked.by_rank, HALF_RANKS, [&](int i) { return ranks[size_t(i)] / HALF_RANKS; });
+	const auto rank = [&](int i) { return int(ranked.plants[size_t(i)].rank_code); };
+	ranked.by_rank = counting_sort(ranked.by_rank, HALF_RANKS, [&](int i) { return rank(i) % HALF_RANKS; });
+	ranked.by_rank = counting_sort(ranked.by_rank, HALF_RANKS, [&](int i) { return rank(i) / HALF_RANKS; });
 	return ranked;
 }
 
