@@ -123,6 +123,9 @@ void FieldBuild::place_rows(const Placement &placement, float share_before, floa
 }
 
 void FieldBuild::apply_heights() {
+	if (places()) {
+		thin_by_habitats(input.request.habitats, placed, heights, normals);
+	}
 	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
 		apply_ground(placed, heights.data(), normals.data(), input.ground.limits);
 		heights = {};

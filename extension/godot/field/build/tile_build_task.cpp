@@ -81,6 +81,7 @@ void TileBuildTask::place() {
 }
 
 void TileBuildTask::finish_placing() {
+	thin_by_habitats(input.request.habitats, placed, heights, normals);
 	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
 		apply_ground(placed, heights.data(), normals.data(), input.ground.limits);
 	}

@@ -65,6 +65,22 @@ void PlantFieldSpecies::set_species(const Ref<PlantFunction> &function) {
 	report_change(CHANGE_PLACEMENT, false);
 }
 
+void PlantFieldSpecies::on_habitat_changed() {
+	const Ref<PlantFieldSpecies> alive(this);
+	report_change(CHANGE_PLACEMENT, false);
+}
+
+void PlantFieldSpecies::set_habitat(const Ref<PlantHabitat> &where) {
+	if (where == habitat) {
+		return;
+	}
+	const Callable changed(this, "_on_habitat_changed");
+	unfollow_changes(habitat.ptr(), changed);
+	habitat = where;
+	follow_changes(habitat.ptr(), changed);
+	report_change(CHANGE_PLACEMENT, false);
+}
+
 void PlantFieldSpecies::set_weight(double value) {
 	set_number(weight, "weight", value, { 0.0, 1e6 });
 }
@@ -118,6 +134,7 @@ void PlantFieldSpecies::_bind_methods() {
 	ClassDB::bind_static_method(
 			"PlantFieldSpecies", D_METHOD("of", "species", "weight"), &PlantFieldSpecies::of, DEFVAL(1.0));
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantFieldSpecies::on_species_changed);
+	ClassDB::bind_method(D_METHOD("_on_habitat_changed"), &PlantFieldSpecies::on_habitat_changed);
 	BIND(get_change_kind);
 	BIND(get_layer_name);
 	PROPERTY(OBJECT, species, PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction");
@@ -128,6 +145,7 @@ void PlantFieldSpecies::_bind_methods() {
 	PROPERTY(FLOAT, lean_deviation, SLIDER("0,80,0.1,radians_as_degrees"));
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
 	PROPERTY(FLOAT, lod_bias, SLIDER("0.25,4,0.05,or_less,or_greater"));
+	PROPERTY(OBJECT, habitat, PROPERTY_HINT_RESOURCE_TYPE, "PlantHabitat");
 	PROPERTY(STRING, layer);
 	BIND_ENUM_CONSTANT(CHANGE_NONE);
 	BIND_ENUM_CONSTANT(CHANGE_PLACEMENT);

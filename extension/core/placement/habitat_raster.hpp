@@ -1,0 +1,26 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <vector>
+
+namespace undergrowth {
+
+/// Values at the centres of square or rectangular cells of the field's ground plane, bilinear between them.
+struct HabitatRaster {
+	glm::vec2 low = { 0.0f, 0.0f }; ///< m, corner of the first cell.
+	glm::vec2 cell = { 1.0f, 1.0f }; ///< m, > 0.
+	int columns = 0;
+	int rows = 0;
+	bool repeats = false; ///< Beyond its sides. False: continues the values at its border.
+	std::vector<float> values; ///< Row by row.
+
+	bool is_empty() const { return values.empty(); }
+	/// Value at a position (m); 1 without values.
+	float at(const glm::vec2 &place) const;
+
+private:
+	float value(double column, double row) const;
+};
+
+} // namespace undergrowth
