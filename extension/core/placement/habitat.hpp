@@ -17,7 +17,7 @@ enum class HabitatFactor : uint8_t {
 	moisture, ///< 0 to 1, of a HabitatSurvey.
 	light, ///< 0 to 1, of a HabitatSurvey.
 	distance, ///< m, from the habitat's lines.
-	value, ///< Of the habitat's values in a HabitatSurvey.
+	value, ///< Suitability by the habitat's values in a HabitatSurvey, which its curve has already been applied to.
 };
 
 inline constexpr std::size_t HABITAT_FACTORS = 7;

@@ -23,19 +23,28 @@ float HabitatRaster::value(double column, double row) const {
 			index_of(column, columns, repeats)];
 }
 
-float HabitatRaster::at(const glm::vec2 &place) const {
-	if (values.empty()) {
-		return 1.0f;
-	}
+template <class Value> float HabitatRaster::mix(const glm::vec2 &place, Value value_at) const {
 	const double x = (static_cast<double>(place.x) - static_cast<double>(low.x)) / static_cast<double>(cell.x) - 0.5;
 	const double z = (static_cast<double>(place.y) - static_cast<double>(low.y)) / static_cast<double>(cell.y) - 0.5;
 	const double column = std::floor(x);
 	const double row = std::floor(z);
 	const auto across = static_cast<float>(x - column);
 	const auto along = static_cast<float>(z - row);
-	const float near = value(column, row) + (value(column + 1.0, row) - value(column, row)) * across;
-	const float far = value(column, row + 1.0) + (value(column + 1.0, row + 1.0) - value(column, row + 1.0)) * across;
-	return near + (far - near) * along;
+	const auto between = [&](double of_row) {
+		const float before = value_at(column, of_row);
+		return before + (value_at(column + 1.0, of_row) - before) * across;
+	};
+	const float near = between(row);
+	return near + (between(row + 1.0) - near) * along;
+}
+
+float HabitatRaster::at(const glm::vec2 &place) const {
+	return values.empty() ? 1.0f : mix(place, [this](double column, double row) { return value(column, row); });
+}
+
+float HabitatRaster::at(const glm::vec2 &place, const HabitatCurve &curve) const {
+	return values.empty() ? 1.0f
+						  : mix(place, [&](double column, double row) { return curve.at(value(column, row)); });
 }
 
 } // namespace undergrowth

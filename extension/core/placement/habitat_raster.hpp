@@ -1,5 +1,7 @@
 #pragma once
 
+#include "placement/habitat_curve.hpp"
+
 #include <glm/vec2.hpp>
 
 #include <vector>
@@ -18,8 +20,12 @@ struct HabitatRaster {
 	bool is_empty() const { return values.empty(); }
 	/// Value at a position (m); 1 without values.
 	float at(const glm::vec2 &place) const;
+	/// The same with the values that a curve gives for those of the cells: between the numbers 1 and 3 of two kinds of
+	/// ground there is none of kind 2.
+	float at(const glm::vec2 &place, const HabitatCurve &curve) const;
 
 private:
+	template <class Value> float mix(const glm::vec2 &place, Value value_at) const;
 	float value(double column, double row) const;
 };
 

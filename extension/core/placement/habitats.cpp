@@ -2,6 +2,7 @@
 
 #include "base/portable_math.hpp"
 #include "base/random.hpp"
+#include "placement/plant_removal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,8 @@ AreaBox box_around(const FieldPlants &plants) {
 /// The habitats, with the lines near some plants only.
 class NearHabitats {
 public:
-	NearHabitats(const Habitats &of, const FieldPlants &plants) : habitats(of), lines(of.of_species.size()) {
+	NearHabitats(const Habitats &of, const HabitatSurvey *of_ground, const FieldPlants &plants) :
+			habitats(of), survey(of_ground), lines(of.of_species.size()) {
 		const AreaBox box = box_around(plants);
 		for (std::size_t i = 0; i < lines.size(); i++) {
 			const Habitat *habitat = of.of_species[i].get();
@@ -42,7 +44,6 @@ public:
 
 	double suitability(std::size_t species, const glm::vec2 &root, float height, const glm::vec3 &normal) const {
 		const Habitat &habitat = *habitats.of_species[species];
-		const HabitatSurvey *survey = habitats.survey.get();
 		HabitatPlace place;
 		place[HabitatFactor::height] = height;
 		if (habitat.uses(HabitatFactor::slope)) {
@@ -58,27 +59,16 @@ public:
 		place[HabitatFactor::moisture] = survey != nullptr ? survey->moisture.at(root) : 1.0f;
 		place[HabitatFactor::light] = survey != nullptr ? survey->light.at(root) : 1.0f;
 		const bool has_value = survey != nullptr && species < survey->values.size();
-		place[HabitatFactor::value] = has_value ? survey->values[species].at(root) : 1.0f;
+		place[HabitatFactor::value] =
+				has_value ? survey->values[species].at(root, habitat.curve(HabitatFactor::value)) : 1.0f;
 		return habitat.suitability(place);
 	}
 
 private:
 	const Habitats &habitats;
+	const HabitatSurvey *survey; ///< May be null.
 	std::vector<HabitatLines> lines; ///< By species.
 };
-
-template <class T> void remove_entries(const std::vector<int> &ascending, std::vector<T> &column) {
-	std::size_t next = 0;
-	std::size_t kept = 0;
-	for (std::size_t i = 0; i < column.size(); i++) {
-		if (next < ascending.size() && static_cast<std::size_t>(ascending[next]) == i) {
-			next++;
-		} else {
-			column[kept++] = column[i];
-		}
-	}
-	column.resize(kept);
-}
 
 } // namespace
 
@@ -92,11 +82,11 @@ bool Habitats::use(HabitatFactor factor) const {
 }
 
 void thin_by_habitats(
-		const Habitats &habitats, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals) {
+		const Habitats &habitats, const HabitatSurvey *survey, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals) {
 	if (plants.size() == 0 || !habitats.are_any()) {
 		return;
 	}
-	const NearHabitats near(habitats, plants);
+	const NearHabitats near(habitats, survey, plants);
 	const bool has_ground = heights.size() == plants.x.size();
 	const bool has_normals = normals.size() == plants.x.size();
 	std::vector<int> removed;
@@ -113,9 +103,7 @@ void thin_by_habitats(
 			removed.push_back(static_cast<int>(i));
 		}
 	}
-	plants.remove(removed);
-	remove_entries(removed, heights);
-	remove_entries(removed, normals);
+	remove_plants(removed, plants, heights, normals);
 }
 
 } // namespace undergrowth

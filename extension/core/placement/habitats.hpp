@@ -18,7 +18,6 @@ struct Habitats {
 	/// By species; null: everywhere.
 	std::vector<std::shared_ptr<const Habitat>> of_species;
 	std::vector<std::shared_ptr<const HabitatLines>> lines; ///< By species; null: none.
-	std::shared_ptr<const HabitatSurvey> survey;
 	uint64_t seed = 0;
 
 	/// True if some species has a habitat.
@@ -30,8 +29,8 @@ struct Habitats {
 /// Removes plants where their species' habitat is not suitable. Each position has one random number: a habitat that is
 /// more suitable everywhere only adds plants. `heights` (m; NaN: no ground, the plant stays) and `normals` have one
 /// entry per plant, or none for a field without ground, and lose those of removed plants, too. The result for a plant
-/// does not depend on the other plants.
+/// does not depend on the other plants. `survey` may be null.
 void thin_by_habitats(
-		const Habitats &habitats, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals);
+		const Habitats &habitats, const HabitatSurvey *survey, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals);
 
 } // namespace undergrowth

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "placement/area.hpp"
+#include "placement/competition.hpp"
 #include "placement/density_map.hpp"
 #include "placement/habitats.hpp"
 #include "placement/painted_mix.hpp"
@@ -56,6 +57,8 @@ struct PlacementRequest {
 	std::shared_ptr<const DensityMap> map;
 	/// Not applied by Placement: thin_by_habitats() needs the ground.
 	Habitats habitats;
+	/// As `habitats`, with compete().
+	Competition competition;
 };
 
 /// Bounding box of all possible plants. If there are none, its low exceeds its high on some axis.

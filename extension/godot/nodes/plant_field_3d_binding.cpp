@@ -151,6 +151,11 @@ void PlantField3D::on_area_changed() {
 	update_gizmos();
 }
 
+void PlantField3D::on_ground_changed() {
+	runtime.forget_ground();
+	dirty.mark_placement();
+}
+
 void PlantField3D::on_wind_changed() {
 	update_configuration_warnings();
 }

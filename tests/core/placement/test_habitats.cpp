@@ -55,7 +55,7 @@ FieldPlants thinned(const Habitats &habitats, const PlacementRequest &request, f
 		heights.push_back(rise * x);
 		normals.emplace_back(-rise, 1.0f, 0.0f);
 	}
-	thin_by_habitats(habitats, plants, heights, normals);
+	thin_by_habitats(habitats, nullptr, plants, heights, normals);
 	CHECK(heights.size() == plants.x.size());
 	CHECK(normals.size() == plants.x.size());
 	for (std::size_t i = 0; i < plants.x.size(); i++) {
@@ -185,6 +185,40 @@ TEST_CASE("plants keep a distance from lines, and areas have the distance 0 insi
 	CHECK(HabitatLines().distance_to({ 0.0f, 0.0f }, 7.0f) == 7.0f);
 }
 
+TEST_CASE("a survey gives moisture, light and values") {
+	const PlacementRequest request = square_field(SIDE, 20.0f, 1);
+	HabitatRaster raster;
+	raster.low = { -20.0f, -20.0f };
+	raster.cell = { 10.0f, 40.0f };
+	raster.columns = 4;
+	raster.rows = 1;
+	raster.values = { 1.0f, 1.0f, 3.0f, 3.0f };
+	HabitatSurvey survey;
+	survey.moisture = survey.light = raster;
+	survey.values = { raster };
+	const auto places_with = [&](HabitatFactor factor, const HabitatCurve &curve, const HabitatSurvey *of) {
+		FieldPlants plants = placed(request);
+		std::vector<float> heights;
+		std::vector<glm::vec3> normals;
+		thin_by_habitats(habitats_of(with(factor, curve), 0, 1), of, plants, heights, normals);
+		return places_of(plants);
+	};
+	const HabitatCurve second = curve_of(1.0f, 3.0f, { 0.0f, 1.0f, 0.0f });
+	for (const HabitatFactor factor : { HabitatFactor::moisture, HabitatFactor::light }) {
+		const auto between = places_with(factor, second, &survey);
+		CHECK(between.size() > 1000);
+		for (const auto &[x, z] : between) {
+			CHECK(std::abs(x) < 5.0f); // Between the two values.
+		}
+	}
+	CHECK(places_with(HabitatFactor::value, second, &survey).empty()); // Numbers of kinds have none between them.
+	const HabitatCurve third = curve_of(1.0f, 3.0f, { 0.0f, 0.0f, 1.0f });
+	const auto left = places_with(HabitatFactor::value, third, &survey);
+	CHECK(left.size() > 0.45 * 20.0 * SIDE * SIDE);
+	CHECK(left.begin()->first > -5.0f);
+	CHECK(places_with(HabitatFactor::value, third, nullptr) == places_of(placed(request)));
+}
+
 TEST_CASE("more suitability only adds plants") {
 	const PlacementRequest request = square_field(SIDE, 30.0f, 2);
 	const auto places_at = [&](float share) {
@@ -228,12 +262,12 @@ TEST_CASE("plants without ground and fields without habitats stay as they are") 
 	std::vector<float> heights(plants.x.size(), NO_HEIGHT);
 	std::vector<glm::vec3> normals(plants.x.size(), { 0.0f, 1.0f, 0.0f });
 	const Habitat nowhere = with(HabitatFactor::height, curve_of(0.0f, 1.0f, { 0.0f, 0.0f }));
-	thin_by_habitats(habitats_of(nowhere, 0, 1), plants, heights, normals);
+	thin_by_habitats(habitats_of(nowhere, 0, 1), nullptr, plants, heights, normals);
 	CHECK(hash_of(plants) == hash_of(all)); // apply_ground() removes them.
-	thin_by_habitats(Habitats(), plants, heights, normals);
+	thin_by_habitats(Habitats(), nullptr, plants, heights, normals);
 	CHECK(hash_of(plants) == hash_of(all));
 	std::vector<float> none;
 	std::vector<glm::vec3> no_normals;
-	thin_by_habitats(habitats_of(nowhere, 0, 1), plants, none, no_normals);
+	thin_by_habitats(habitats_of(nowhere, 0, 1), nullptr, plants, none, no_normals);
 	CHECK(plants.size() == 0);
 }

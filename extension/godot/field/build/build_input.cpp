@@ -124,6 +124,7 @@ String read_request(const Node3D *field, const PlacementOptions &options, const 
 	into.combed = float(options.combed);
 	into.edge_falloff = float(options.edge_falloff);
 	into.habitats = read_habitats(field, options);
+	into.competition = read_competition(options);
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];

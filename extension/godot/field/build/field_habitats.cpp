@@ -2,6 +2,7 @@
 
 #include "field/build/field_areas.hpp"
 #include "field/build/field_ground.hpp"
+#include "field/build/ground_query.hpp"
 #include "nodes/plant_field_3d.hpp"
 
 #include <godot_cpp/classes/path3d.hpp>
@@ -14,7 +15,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static Ref<PlantHabitat> habitat_of(const PlacementOptions &options, int64_t number) {
+Ref<PlantHabitat> habitat_of(const PlacementOptions &options, int64_t number) {
 	const Ref<PlantFieldSpecies> listed = options.species[number];
 	return listed.is_valid() ? listed->get_habitat() : Ref<PlantHabitat>();
 }
@@ -66,6 +67,38 @@ Habitats read_habitats(const Node3D *field, const PlacementOptions &options) {
 	return read;
 }
 
+Competition read_competition(const PlacementOptions &options) {
+	Competition read;
+	read.strength = float(options.competition);
+	for (int64_t i = 0; i < options.species.size() && read.is_on(); i++) {
+		const Ref<PlantFieldSpecies> listed = options.species[i];
+		read.species.emplace_back();
+		if (listed.is_valid()) {
+			read.species.back() = { float(listed->get_vigor()), float(listed->get_shade_radius()),
+				float(listed->get_shade_tolerance()) };
+		}
+	}
+	read.seed = uint64_t(options.place_seed);
+	return read;
+}
+
+Object *find_value_source(const Node3D *field, const PlacementOptions &options, const PlantHabitat *habitat) {
+	const StringName method = habitat->get_value_method();
+	const StringName group = habitat->get_value_group();
+	if (group.is_empty()) {
+		Object *ground = find_ground_object(field, options.ground_object);
+		return ground && ground->has_method(method) ? ground : nullptr;
+	}
+	const TypedArray<Node> members = field->is_inside_tree() ? field->get_tree()->get_nodes_in_group(group) : TypedArray<Node>();
+	for (int64_t i = 0; i < members.size(); i++) {
+		Object *member = members[i];
+		if (member && member->has_method(method)) {
+			return member;
+		}
+	}
+	return nullptr;
+}
+
 bool habitats_use(const PlacementOptions &options, HabitatFactor factor) {
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantHabitat> habitat = habitat_of(options, i);
@@ -100,6 +133,13 @@ PackedStringArray find_habitat_warnings(const Node *field, const PlacementOption
 		if (is_flat && (habitat->uses(HabitatFactor::slope) || habitat->uses(HabitatFactor::height))) {
 			warnings.push_back(name +
 					String("depends on slope or height, but this field is flat: set Ground Mode, or remove these curves."));
+		}
+		const bool needs_survey = habitat->uses(HabitatFactor::moisture) || habitat->uses(HabitatFactor::light) ||
+				habitat->uses(HabitatFactor::value);
+		if (needs_survey && options.endless && options.map.is_null()) {
+			warnings.push_back(name +
+					String("depends on moisture, light or a value, which need an area: disable Endless, or remove these "
+						   "curves."));
 		}
 		const StringName group = habitat->get_distance_group();
 		if (habitat->uses(HabitatFactor::distance) && field->is_inside_tree() && members_of(field, group).empty()) {

@@ -6,6 +6,7 @@
 #include "base/new_object.hpp"
 #include "base/renamed_properties.hpp"
 #include "base/shortest_decimal.hpp"
+#include "placement/competition.hpp"
 
 #include <utility>
 
@@ -106,6 +107,18 @@ void PlantFieldSpecies::set_lean_deviation(double radians) {
 	}
 }
 
+void PlantFieldSpecies::set_vigor(double factor) {
+	set_number(vigor, "vigor", factor, { 0.001, 1000.0 });
+}
+
+void PlantFieldSpecies::set_shade_radius(double metres) {
+	set_number(shade_radius, "shade_radius", metres, { 0.0, double(Competition::MAX_RADIUS) });
+}
+
+void PlantFieldSpecies::set_shade_tolerance(double chance) {
+	set_number(shade_tolerance, "shade_tolerance", chance, { 0.0, 1.0 });
+}
+
 void PlantFieldSpecies::set_variants(int count) {
 	set_number(variants, "variants", count, { 1, 64 });
 }
@@ -146,6 +159,9 @@ void PlantFieldSpecies::_bind_methods() {
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
 	PROPERTY(FLOAT, lod_bias, SLIDER("0.25,4,0.05,or_less,or_greater"));
 	PROPERTY(OBJECT, habitat, PROPERTY_HINT_RESOURCE_TYPE, "PlantHabitat");
+	PROPERTY(FLOAT, vigor, SLIDER("0.1,10,0.01,or_less,or_greater"));
+	PROPERTY(FLOAT, shade_radius, SLIDER("0,2,0.01,or_greater,suffix:m"));
+	PROPERTY(FLOAT, shade_tolerance, SLIDER("0,1,0.01"));
 	PROPERTY(STRING, layer);
 	BIND_ENUM_CONSTANT(CHANGE_NONE);
 	BIND_ENUM_CONSTANT(CHANGE_PLACEMENT);

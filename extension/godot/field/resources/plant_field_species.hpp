@@ -33,6 +33,9 @@ private:
 	double lod_bias = 1.0;
 	godot::String layer;
 	godot::Ref<PlantHabitat> habitat;
+	double vigor = 1.0;
+	double shade_radius = 0.2; // m.
+	double shade_tolerance = 0.2;
 	godot::String auto_name;
 	ChangeKind change_kind = CHANGE_NONE; // While `changed` is emitted.
 	bool forwards = false; // True while `changed` is emitted for the function inside.
@@ -78,6 +81,12 @@ public:
 	godot::String get_layer_name() const;
 	void set_habitat(const godot::Ref<PlantHabitat> &where);
 	godot::Ref<PlantHabitat> get_habitat() const { return habitat; }
+	void set_vigor(double factor);
+	double get_vigor() const { return vigor; }
+	void set_shade_radius(double metres);
+	double get_shade_radius() const { return shade_radius; }
+	void set_shade_tolerance(double chance);
+	double get_shade_tolerance() const { return shade_tolerance; }
 	void set_variants(int count);
 	int get_variants() const { return variants; }
 	void set_lod_bias(double factor);

@@ -57,7 +57,7 @@ Ref<Curve> PlantHabitat::make_curve(const PackedVector2Array &points) {
 	}
 	if (!is_sound || double(points[points.size() - 1].x) - double(points[0].x) <= MIN_DOMAIN) {
 		UtilityFunctions::push_error(
-				"PlantHabitat.make_curve() needs two or more points (x, suitability) with rising x, at least 0.01 from "
+				"PlantHabitat.make_curve() needs two or more points (x, suitability) with rising x, more than 0.01 from "
 				"the first to the last, and suitabilities from 0 to 1.");
 		return Ref<Curve>();
 	}
@@ -141,11 +141,34 @@ void PlantHabitat::set_distance_group(const StringName &group) {
 	}
 }
 
+void PlantHabitat::set_value_method(const StringName &method) {
+	if (method != value_method) {
+		value_method = method;
+		on_part_changed();
+	}
+}
+
+void PlantHabitat::set_value_group(const StringName &group) {
+	if (group != value_group) {
+		value_group = group;
+		on_part_changed();
+	}
+}
+
+void PlantHabitat::set_value_channel(TextureChannel channel) {
+	if (accept_value(this, "value_channel", double(channel), { CHANNEL_RED, CHANNEL_ALPHA }) &&
+			channel != value_channel) {
+		value_channel = channel;
+		on_part_changed();
+	}
+}
+
 bool PlantHabitat::uses(HabitatFactor factor) const {
 	if (factor == HabitatFactor::texture) {
 		return texture.is_valid();
 	}
-	return curves[size_t(factor)].is_valid() && (factor != HabitatFactor::distance || !distance_group.is_empty());
+	return curves[size_t(factor)].is_valid() && (factor != HabitatFactor::distance || !distance_group.is_empty()) &&
+			(factor != HabitatFactor::value || !value_method.is_empty());
 }
 
 HabitatCurve PlantHabitat::read_curve(HabitatFactor factor) const {
@@ -230,6 +253,8 @@ void PlantHabitat::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("_on_part_changed"), &PlantHabitat::on_part_changed);
 	CURVE(slope_curve, slope);
 	CURVE(height_curve, height);
+	CURVE(moisture_curve, moisture);
+	CURVE(light_curve, light);
 	ADD_GROUP("Texture", "texture_");
 	PROPERTY(OBJECT, texture, PROPERTY_HINT_RESOURCE_TYPE, "Texture2D");
 	CURVE(texture_curve, texture);
@@ -241,6 +266,11 @@ void PlantHabitat::_bind_methods() {
 	ADD_GROUP("Distance", "distance_");
 	CURVE(distance_curve, distance);
 	PROPERTY(STRING_NAME, distance_group);
+	ADD_GROUP("Value", "value_");
+	CURVE(value_curve, value);
+	PROPERTY(STRING_NAME, value_method);
+	PROPERTY(STRING_NAME, value_group);
+	PROPERTY(INT, value_channel, PROPERTY_HINT_ENUM, "X or Red,Y or Green,Z or Blue,Alpha");
 	BIND_ENUM_CONSTANT(CHANNEL_RED);
 	BIND_ENUM_CONSTANT(CHANNEL_GREEN);
 	BIND_ENUM_CONSTANT(CHANNEL_BLUE);

@@ -34,6 +34,9 @@ private:
 	TextureChannel texture_channel = CHANNEL_RED;
 	bool texture_repeat = true;
 	godot::StringName distance_group;
+	godot::StringName value_method;
+	godot::StringName value_group;
+	TextureChannel value_channel = CHANNEL_RED;
 	mutable std::shared_ptr<const Habitat> core; // Null: not read since the last change.
 
 	template <HabitatFactor factor> void set_curve(const godot::Ref<godot::Curve> &curve) {
@@ -66,6 +69,12 @@ public:
 	TextureChannel get_texture_channel() const { return texture_channel; }
 	void set_texture_repeat(bool on);
 	bool is_texture_repeat() const { return texture_repeat; }
+	void set_value_method(const godot::StringName &method);
+	godot::StringName get_value_method() const { return value_method; }
+	void set_value_group(const godot::StringName &group);
+	godot::StringName get_value_group() const { return value_group; }
+	void set_value_channel(TextureChannel channel);
+	TextureChannel get_value_channel() const { return value_channel; }
 	void set_distance_group(const godot::StringName &group);
 	godot::StringName get_distance_group() const { return distance_group; }
 };
