@@ -91,7 +91,8 @@ std::vector<Crown> crowns_of(const Competition &competition, const FieldPlants &
 }
 
 /// Sum of the shades of larger plants of other species, each from 0 at the side of its crown to FULL_SHADE.
-uint64_t shade_at(const FieldPlants &plants, const std::vector<Crown> &crowns, const ShadeGrid &grid, std::size_t plant) {
+uint64_t shade_at(
+		const FieldPlants &plants, const std::vector<Crown> &crowns, const ShadeGrid &grid, std::size_t plant) {
 	uint64_t shade = 0;
 	grid.visit_near(plant, [&](std::size_t other) {
 		if (plants.species[other] == plants.species[plant] || crowns[other].dominance <= crowns[plant].dominance) {
@@ -101,8 +102,8 @@ uint64_t shade_at(const FieldPlants &plants, const std::vector<Crown> &crowns, c
 		const float dz = plants.z[other] - plants.z[plant];
 		const float square = dx * dx + dz * dz;
 		if (square < crowns[other].square_radius) {
-			shade += static_cast<uint64_t>(
-					FULL_SHADE * (1.0 - static_cast<double>(square) / static_cast<double>(crowns[other].square_radius)));
+			shade += static_cast<uint64_t>(FULL_SHADE *
+					(1.0 - static_cast<double>(square) / static_cast<double>(crowns[other].square_radius)));
 		}
 	});
 	return shade;
@@ -132,8 +133,8 @@ void compete(const Competition &competition, FieldPlants &plants, std::vector<fl
 		if (shade == 0) {
 			continue;
 		}
-		const double light = portable_exp(-EXTINCTION * static_cast<double>(competition.strength) *
-				(static_cast<double>(shade) / FULL_SHADE));
+		const double light = portable_exp(
+				-EXTINCTION * static_cast<double>(competition.strength) * (static_cast<double>(shade) / FULL_SHADE));
 		const auto tolerance = static_cast<double>(crowns[i].tolerance);
 		const uint64_t bits = bits_of_place(competition.seed ^ COMPETITION_SEED, plants.x[i], plants.z[i]);
 		if (!(static_cast<double>(bits >> 32) * (1.0 / 4294967296.0) < tolerance + (1.0 - tolerance) * light)) {

@@ -19,8 +19,8 @@ using Horizon = std::array<double, HORIZON_DIRECTIONS>;
 /// The horizon of a point of the grid, by the ground of the grid.
 Horizon find_horizon(const HeightGrid &grid, int column, int row);
 
-/// Directions to the sun (unit vectors) through a day of the equinox, at equal times from sunrise to sunset. `latitude`:
-/// rad, -π/2 to π/2, positive in the north. North is -z, east +x.
+/// Directions to the sun (unit vectors) through a day of the equinox, at equal times from sunrise to sunset.
+/// `latitude`: rad, -π/2 to π/2, positive in the north. North is -z, east +x.
 std::vector<glm::dvec3> sun_path(double latitude);
 
 /// Light from 0 to 1: 0.5 on level open ground, more on slopes towards the sun, less in the shade of slopes and hills.

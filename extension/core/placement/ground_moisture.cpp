@@ -29,8 +29,8 @@ struct Neighbour {
 constexpr std::array<Neighbour, 8> NEIGHBOURS = { { { 1, 0, 1.0 }, { -1, 0, 1.0 }, { 0, 1, 1.0 }, { 0, -1, 1.0 },
 		{ 1, 1, DIAGONAL }, { -1, 1, DIAGONAL }, { 1, -1, DIAGONAL }, { -1, -1, DIAGONAL } } };
 
-/// The ground with filled pits, and the order in which water reaches its points from the outlets (priority flood, Barnes
-/// et al. 2014).
+/// The ground with filled pits, and the order in which water reaches its points from the outlets (priority flood,
+/// Barnes et al. 2014).
 class FilledGround {
 public:
 	explicit FilledGround(const HeightGrid &of) : grid(of), levels(of.size(), 0.0), outlets(of.size(), -1) {
@@ -97,9 +97,8 @@ private:
 	}
 
 	bool is_border(int column, int row) const {
-		return std::any_of(NEIGHBOURS.begin(), NEIGHBOURS.end(), [&](const Neighbour &neighbour) {
-			return !is_ground(column + neighbour.column, row + neighbour.row);
-		});
+		return std::any_of(NEIGHBOURS.begin(), NEIGHBOURS.end(),
+				[&](const Neighbour &neighbour) { return !is_ground(column + neighbour.column, row + neighbour.row); });
 	}
 
 	void enter(std::size_t point, double level, int64_t outlet) {

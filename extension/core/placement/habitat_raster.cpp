@@ -43,8 +43,7 @@ float HabitatRaster::at(const glm::vec2 &place) const {
 }
 
 float HabitatRaster::at(const glm::vec2 &place, const HabitatCurve &curve) const {
-	return values.empty() ? 1.0f
-						  : mix(place, [&](double column, double row) { return curve.at(value(column, row)); });
+	return values.empty() ? 1.0f : mix(place, [&](double column, double row) { return curve.at(value(column, row)); });
 }
 
 } // namespace undergrowth

@@ -81,8 +81,8 @@ bool Habitats::use(HabitatFactor factor) const {
 			[factor](const auto &one) { return one != nullptr && one->uses(factor); });
 }
 
-void thin_by_habitats(
-		const Habitats &habitats, const HabitatSurvey *survey, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals) {
+void thin_by_habitats(const Habitats &habitats, const HabitatSurvey *survey, FieldPlants &plants,
+		std::vector<float> &heights, std::vector<glm::vec3> &normals) {
 	if (plants.size() == 0 || !habitats.are_any()) {
 		return;
 	}

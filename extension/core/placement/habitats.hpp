@@ -30,7 +30,7 @@ struct Habitats {
 /// more suitable everywhere only adds plants. `heights` (m; NaN: no ground, the plant stays) and `normals` have one
 /// entry per plant, or none for a field without ground, and lose those of removed plants, too. The result for a plant
 /// does not depend on the other plants. `survey` may be null.
-void thin_by_habitats(
-		const Habitats &habitats, const HabitatSurvey *survey, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals);
+void thin_by_habitats(const Habitats &habitats, const HabitatSurvey *survey, FieldPlants &plants,
+		std::vector<float> &heights, std::vector<glm::vec3> &normals);
 
 } // namespace undergrowth

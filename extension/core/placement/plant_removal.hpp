@@ -15,7 +15,6 @@ void remove_plants(const std::vector<int> &ascending, FieldPlants &plants, std::
 		std::vector<glm::vec3> &normals);
 
 /// The same for all plants outside of a box (m).
-void crop_plants(
-		const AreaBox &box, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals);
+void crop_plants(const AreaBox &box, FieldPlants &plants, std::vector<float> &heights, std::vector<glm::vec3> &normals);
 
 } // namespace undergrowth

@@ -312,7 +312,7 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 #define ANGLES(m_type, m_name, m_about, m_min, m_max, ...)                                                             \
 	{                                                                                                                  \
 		static constexpr Setting setting = { #m_name, About::m_about, { m_min, m_max }, true };                        \
-		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),           \
+		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
 // The same without bounds.

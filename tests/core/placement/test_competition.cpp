@@ -119,7 +119,8 @@ TEST_CASE("tiles in any order, with their surroundings, have the plants of the w
 		Places joined;
 		for (int tile = 255; tile >= 0; tile--) {
 			PlacementRequest part = request;
-			const glm::vec2 low = { -16.0f + side * static_cast<float>(tile % 16), -16.0f + side * static_cast<float>(tile / 16) };
+			const glm::vec2 low = { -16.0f + side * static_cast<float>(tile % 16),
+				-16.0f + side * static_cast<float>(tile / 16) };
 			part.within = AreaBox{ low, low + side };
 			const Places own = places_of(competed(competition, part));
 			joined.insert(own.begin(), own.end());

@@ -48,8 +48,8 @@ double expected_on_slope(double angle, double latitude) {
 
 TEST_CASE("level open ground has half of the light") {
 	const HabitatRaster light = find_light(grid_of(21, [](double, double) { return 3.0; }), LATITUDE);
-	CHECK(std::all_of(light.values.begin(), light.values.end(),
-			[](float value) { return std::abs(value - 0.5f) < 1.0e-6f; }));
+	CHECK(std::all_of(
+			light.values.begin(), light.values.end(), [](float value) { return std::abs(value - 0.5f) < 1.0e-6f; }));
 }
 
 TEST_CASE("slopes towards the sun have more light, by the closed form of the equinox") {
@@ -73,16 +73,16 @@ TEST_CASE("a slope to the north has light as long as the sun is above it") {
 		const double up = std::max(std::tan(angle) * std::sin(2.0 * PI * i / HORIZON_DIRECTIONS), 0.0);
 		open += 1.0 / (1.0 + up * up) / HORIZON_DIRECTIONS;
 	}
-	CHECK(find_light(grid, LATITUDE).at({ 0.0f, 0.0f }) == doctest::Approx(0.5 * (0.7 * direct + 0.3 * open)).epsilon(0.03));
+	CHECK(find_light(grid, LATITUDE).at({ 0.0f, 0.0f }) ==
+			doctest::Approx(0.5 * (0.7 * direct + 0.3 * open)).epsilon(0.03));
 }
 
 TEST_CASE("the horizon of a round wall has one height, and takes the sun below it") {
 	constexpr double RADIUS = 30.0;
 	for (const double degrees : { 20.0, 60.0 }) {
 		const double tangent = std::tan(degrees * PI / 180.0);
-		const HeightGrid grid = grid_of(101, [&](double x, double z) {
-			return x * x + z * z < RADIUS * RADIUS ? 0.0 : RADIUS * tangent;
-		});
+		const HeightGrid grid = grid_of(
+				101, [&](double x, double z) { return x * x + z * z < RADIUS * RADIUS ? 0.0 : RADIUS * tangent; });
 		const Horizon horizon = find_horizon(grid, 50, 50);
 		for (const double found : horizon) {
 			CHECK(found < 1.01 * tangent);

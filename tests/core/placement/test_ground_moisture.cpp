@@ -77,8 +77,7 @@ TEST_CASE("on a plane the drained area grows evenly downhill") {
 }
 
 TEST_CASE("a valley collects the water of both sides") {
-	const HeightGrid grid =
-			grid_of(61, 41, 1.0f, [](double x, double z) { return 0.2 * std::abs(z) - 0.01 * x; });
+	const HeightGrid grid = grid_of(61, 41, 1.0f, [](double x, double z) { return 0.2 * std::abs(z) - 0.01 * x; });
 	const std::vector<double> areas = find_drained_areas(grid);
 	for (const int column : { 20, 40, 59 }) {
 		const double upslope = 41.0 * (column + 1);
@@ -93,8 +92,7 @@ TEST_CASE("a valley collects the water of both sides") {
 }
 
 TEST_CASE("water of a cone spreads: the drained area per width is half of the radius") {
-	const HeightGrid grid =
-			grid_of(121, 121, 0.5f, [](double x, double z) { return -0.3 * std::sqrt(x * x + z * z); });
+	const HeightGrid grid = grid_of(121, 121, 0.5f, [](double x, double z) { return -0.3 * std::sqrt(x * x + z * z); });
 	const std::vector<double> areas = find_drained_areas(grid);
 	for (const double radius : { 8.0, 16.0, 24.0 }) {
 		double sum = 0.0;

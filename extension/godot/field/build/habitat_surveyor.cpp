@@ -18,7 +18,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr int MAX_POINTS = 256; // Along a side of the area.
+static constexpr int MAX_POINTS = 192; // Along a side of the area.
 static constexpr float MIN_STEP = 1.0f; // m.
 // m around the area, as a fraction of its larger side: hills there cast shadows, and water comes from there.
 static constexpr float MARGIN = 0.25f, MIN_MARGIN = 8.0f, MAX_MARGIN = 64.0f;

@@ -56,9 +56,9 @@ Ref<Curve> PlantHabitat::make_curve(const PackedVector2Array &points) {
 				(i == 0 || points[i].x > points[i - 1].x);
 	}
 	if (!is_sound || double(points[points.size() - 1].x) - double(points[0].x) <= MIN_DOMAIN) {
-		UtilityFunctions::push_error(
-				"PlantHabitat.make_curve() needs two or more points (x, suitability) with rising x, more than 0.01 from "
-				"the first to the last, and suitabilities from 0 to 1.");
+		UtilityFunctions::push_error("PlantHabitat.make_curve() needs two or more points (x, suitability) with rising "
+									 "x, more than 0.01 from "
+									 "the first to the last, and suitabilities from 0 to 1.");
 		return Ref<Curve>();
 	}
 	Ref<Curve> curve = new_counted<Curve>();
