@@ -143,6 +143,20 @@ func test_a_streamed_field_has_one_survey() -> void:
 		check(id in whole, "plant %d" % id)
 
 
+func test_a_field_without_an_area_ignores_the_survey() -> void:
+	_habitat.moisture_curve = PlantHabitat.make_curve([Vector2(0.0, 0.0), Vector2(1.0, 0.0)])
+	_habitat.height_curve = _step_at(1.0)
+	field.endless = true
+	field.view_distance = 10.0
+	field.add_child(Camera3D.new())
+	await start()
+	await rested()
+	var left := _places(0)
+	check(left.size() > 500, "%d plants" % left.size())
+	for id in left:
+		check(left[id].y > 0.97, "at %v" % left[id])
+
+
 func test_competition_has_the_same_plants_in_tiles_of_any_order() -> void:
 	_compete(0.0)
 	await start()

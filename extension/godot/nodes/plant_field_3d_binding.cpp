@@ -126,6 +126,7 @@ void PlantField3D::on_species_changed() {
 		dirty.mark_style();
 	} else {
 		dirty.mark_placement();
+		update_configuration_warnings();
 	}
 }
 

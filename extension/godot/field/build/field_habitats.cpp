@@ -47,12 +47,24 @@ static std::shared_ptr<const HabitatLines> read_lines(const Node3D *field, const
 	return lines;
 }
 
+// Returns a habitat without the curves that need a survey, for fields that have none.
+static std::shared_ptr<const Habitat> without_survey(const Habitat &of) {
+	auto rest = std::make_shared<Habitat>(of);
+	for (const HabitatFactor factor : { HabitatFactor::moisture, HabitatFactor::light, HabitatFactor::value }) {
+		rest->curve(factor) = HabitatCurve();
+	}
+	return rest;
+}
+
 Habitats read_habitats(const Node3D *field, const PlacementOptions &options) {
 	Habitats read;
 	std::map<StringName, std::shared_ptr<const HabitatLines>> by_group;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantHabitat> habitat = habitat_of(options, i);
 		read.of_species.push_back(habitat.is_valid() ? habitat->share() : nullptr);
+		if (habitat.is_valid() && options.endless && options.map.is_null()) {
+			read.of_species.back() = without_survey(*read.of_species.back());
+		}
 		read.lines.emplace_back();
 		if (habitat.is_valid() && habitat->uses(HabitatFactor::distance)) {
 			const StringName group = habitat->get_distance_group();
