@@ -115,7 +115,7 @@ func _make_field_on_hills(
 	hills.material_override = (world.get_node("Ground") as MeshInstance3D).material_override
 	(world.get_node("Ground") as MeshInstance3D).hide()
 	world.add_child(hills)
-	var field := make_field(files, 55.0, Vector2.ONE * SIDE)
+	var field := make_field(files, 26.0, Vector2.ONE * SIDE)
 	field.ground_mode = PlantField3D.GROUND_MESH
 	field.ground_mesh = ^"../Hills"
 	field.edge_falloff = 0.5

@@ -100,6 +100,11 @@ TEST_CASE("the vigorous species displaces the other one, and plants of one speci
 	const FieldPlants left = competed(tall_and_low(1.0f, 0.3f, 0.0f), request);
 	CHECK(places_of(left, 0) == places_of(all, 0));
 	CHECK(places_of(left, 1).size() < 0.5 * places_of(all, 1).size());
+	Competition alone;
+	alone.strength = 1.0f;
+	alone.species = { { 1.0f, 0.5f, 0.0f } };
+	const PlacementRequest one = square_field(10.0f, 30.0f, 1);
+	CHECK(hash_of(competed(alone, one)) == hash_of(placed(one)));
 	const FieldPlants tolerant = competed(tall_and_low(1.0f, 0.3f, 0.8f), request);
 	CHECK(places_of(tolerant, 1).size() > 0.8 * places_of(all, 1).size());
 	const Places few = places_of(left);
