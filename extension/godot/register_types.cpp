@@ -6,6 +6,7 @@
 #include "field/motion/step_batch.hpp"
 #include "field/resources/plant_field_level.hpp"
 #include "field/resources/plant_field_species.hpp"
+#include "field/resources/plant_habitat.hpp"
 #include "field/resources/plant_map.hpp"
 #include "form/plant_growth.hpp"
 #include "form/plant_part_kinds.hpp"
@@ -63,6 +64,7 @@ static void register_classes() {
 	GDREGISTER_CLASS(PlantWind);
 	GDREGISTER_CLASS(PlantWindSource3D);
 	GDREGISTER_CLASS(Plant3D);
+	GDREGISTER_CLASS(PlantHabitat);
 	GDREGISTER_CLASS(PlantFieldSpecies);
 	GDREGISTER_CLASS(PlantFieldLevel);
 	GDREGISTER_CLASS(PlantMap);

@@ -35,6 +35,7 @@ const MEMBERS: Dictionary[String, String] = {
 	"hedge": "PlantField3D",
 	"plant": "Plant3D",
 	"map": "PlantMap",
+	"habitat": "PlantHabitat",
 	"wind": "PlantWind",
 	"species": "PlantFunction",
 	"leaf": "PlantPart",

@@ -25,6 +25,7 @@ const CLASSES: PackedStringArray = [
 	"PlantField3D",
 	"PlantFieldSpecies",
 	"PlantFieldLevel",
+	"PlantHabitat",
 	"PlantMap",
 	"PlantSimulation",
 ]

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "placement/area.hpp"
+#include "placement/competition.hpp"
 #include "placement/density_map.hpp"
+#include "placement/habitats.hpp"
 #include "placement/painted_mix.hpp"
 #include "placement/plants.hpp"
 
@@ -53,6 +55,10 @@ struct PlacementRequest {
 	/// Optional. Each species grows with the density and height of its layer (PaintedMix). Their sum is at most
 	/// `density`.
 	std::shared_ptr<const DensityMap> map;
+	/// Not applied by Placement: thin_by_habitats() needs the ground.
+	Habitats habitats;
+	/// As `habitats`, with compete().
+	Competition competition;
 };
 
 /// Bounding box of all possible plants. If there are none, its low exceeds its high on some axis.

@@ -2,6 +2,7 @@
 
 #include "field/build/field_areas.hpp"
 #include "field/build/field_ground.hpp"
+#include "field/build/field_habitats.hpp"
 
 #include <godot_cpp/classes/material.hpp>
 
@@ -34,7 +35,9 @@ DependencyPoller::Found DependencyPoller::poll(const GeometryInstance3D *node, c
 
 void DependencyPoller::watch(Node3D *node, const PlacementOptions &options) {
 	area.watch(node, find_area_nodes(node, options), Callable(node, "_on_area_changed"));
-	ground.watch(node, { find_ground_node(node, options) }, Callable(node, "_on_ground_changed"));
+	std::vector<Node3D *> below = find_habitat_nodes(node, options);
+	below.push_back(find_ground_node(node, options));
+	ground.watch(node, below, Callable(node, "_on_ground_changed"));
 }
 
 } // namespace undergrowth

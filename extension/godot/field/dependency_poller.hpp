@@ -17,7 +17,7 @@ public:
 		bool material = false; ///< The material override.
 		bool exclusions = false; ///< The array of exclusions.
 		bool area = false; ///< A node of the outline or the exclusions.
-		bool ground = false; ///< The node of the ground.
+		bool ground = false; ///< The node of the ground, or one that habitats use.
 	};
 
 	/// Call once per frame. Returns true in the frames to call poll() in.
@@ -25,9 +25,9 @@ public:
 	Found poll(const godot::GeometryInstance3D *node, const FieldProperties &properties);
 	bool has_other_exclusions(const PlacementOptions &options) const { return seen_exclusions != options.exclusions; }
 	void store_exclusions(const PlacementOptions &options) { seen_exclusions = options.exclusions.duplicate(); }
-	/// Watches the nodes of outline, exclusions and ground in `options`, and no other ones. Polling detects moved nodes
-	/// and resized fields. Changed curves emit signals, which call _on_area_changed() or _on_ground_changed() of the
-	/// node.
+	/// Watches the nodes of outline, exclusions, ground and habitats in `options`, and no other ones. Polling detects
+	/// moved nodes and resized fields. Changed curves emit signals, which call _on_area_changed() or
+	/// _on_ground_changed() of the node.
 	void watch(godot::Node3D *node, const PlacementOptions &options);
 
 private:

@@ -1,6 +1,7 @@
 #include "field/field_inspector.hpp"
 
 #include "field/build/field_ground.hpp"
+#include "field/build/field_habitats.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -34,6 +35,7 @@ static bool is_idle_on_ground(const String &name, const PlacementOptions &option
 			(name == "ground_sample_spacing" && kind != Kind::colliders && kind != Kind::object) ||
 			(name == "ground_choice" && (is_flat || kind == Kind::object)) ||
 			(name == "ground_mesh" && kind != Kind::mesh) || (name == "ground_object" && kind != Kind::object) ||
+			(name == "sun_latitude" && !habitats_use(options, HabitatFactor::light)) ||
 			(is_flat && (name == "height_limits" || name.begins_with("slope_")));
 }
 

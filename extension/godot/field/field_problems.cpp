@@ -1,6 +1,7 @@
 #include "field/field_problems.hpp"
 
 #include "base/messages.hpp"
+#include "field/build/field_habitats.hpp"
 #include "field/view/listed_styles.hpp"
 
 #include <utility>
@@ -57,6 +58,7 @@ PackedStringArray FieldProblems::warnings() const {
 		texts.push_back("'" + name +
 				"' is painted on the map, but no species has that name: rename one, or set the Layer of its entry.");
 	}
+	texts.append_array(find_habitat_warnings(node, properties));
 	if (properties.wind.is_valid() && properties.wind->get_strength() == 0.0) {
 		texts.push_back(
 				"The wind has a strength of 0 N, so these plants do not move: increase Strength of their Wind.");

@@ -6,6 +6,7 @@
 #include "field/build/build_input.hpp"
 #include "field/build/dirty_tiles.hpp"
 #include "field/build/ground_sampler.hpp"
+#include "field/build/habitat_surveyor.hpp"
 #include "field/build/species_sampler.hpp"
 #include "field/field_edits.hpp"
 #include "field/field_trampling.hpp"
@@ -143,6 +144,8 @@ public:
 	void follow_materials() { materials.follow(setup); }
 	void skeletons_changed();
 
+	/// Call after a change of the ground, before a rebuild.
+	void forget_ground() { surveyor.forget(); }
 	void enter_tree();
 	void exit_tree();
 	void moved();
@@ -178,6 +181,7 @@ private:
 	std::set<TileKey> unseen; ///< Tiles with added or removed plants of code that are not drawn yet.
 	bool is_unshown = false; ///< Plants were removed or changed since the last refresh().
 	std::unique_ptr<SpeciesSampler> sampler; ///< Runs before the job begins.
+	HabitatSurveyor surveyor; ///< Runs after the sampler.
 	std::unique_ptr<FieldBuild> job;
 	/// A first build whose plants are drafts, until their styles are refined. The rest of the field follows then.
 	std::unique_ptr<FieldBuild> drafted;
@@ -266,6 +270,9 @@ private:
 		}
 	}
 	bool start_tile_rebuild();
+	/// Returns true if the build has the survey of the ground that its habitats need. Else one begins, or a fault is
+	/// set.
+	bool has_survey(godot::String &fault);
 	void join_tiles();
 	godot::String begin_sampling(bool places);
 	void resume_sampling();

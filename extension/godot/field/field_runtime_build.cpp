@@ -37,6 +37,7 @@ void FieldRuntime::rebuild(bool places, bool styles) {
 	has_failed = false;
 	built_before = 0.0f;
 	drop_job();
+	surveyor.stop();
 	tiles.stop_list(tile_scene());
 	tiles.interrupt(tile_scene());
 	tiles.interrupt_parts();
@@ -220,6 +221,9 @@ void FieldRuntime::poll_all(double delta, bool physics) {
 	poll_parts(physics ? DirtyTiles::Moment::physics : DirtyTiles::Moment::begun, delta);
 	if (!physics) {
 		skeletons.release_left();
+	}
+	if (sampler && surveyor.is_at_work()) {
+		surveyor.resume(budget_usec(), physics);
 	}
 	if (sampler && !physics && (is_urgent() || (sampler->is_due() && FrameBudget::of_fields().is_left()))) {
 		resume_sampling();

@@ -35,7 +35,8 @@ bool FieldRuntime::start_tile_rebuild() {
 			(properties.prototypes > 0) == motion.follows_prototypes() &&
 			float(properties.tile_size) == store.tile_size() && is_listed_so(setup, properties) && update_levels() &&
 			read_request(node, properties, setup, nullptr, request).is_empty() &&
-			read_ground(node, properties, read).is_empty();
+			read_ground(node, properties, read).is_empty() &&
+			surveyor.is_current(node, properties, placed_box(request));
 	const std::vector<TileKey> list = is_possible ? tiles.list_again(tile_scene(), request) : std::vector<TileKey>();
 	if (list.empty()) {
 		return false;
@@ -52,6 +53,7 @@ bool FieldRuntime::start_tile_rebuild() {
 	reports_parts = is_due_again = false; // The rebuild reports its own end.
 	reported_progress = -1.0f;
 	ground = std::move(read);
+	ground.survey = surveyor.survey();
 	placed_area.store_shapes(request);
 	listener.fault(setup.left_out);
 	tiles.begin_build(tile_scene(), list, request);
@@ -96,6 +98,7 @@ String FieldRuntime::make_build_input(BuildInput &input) {
 	if (!fault.is_empty()) {
 		return fault;
 	}
+	input.ground.survey = surveyor.survey();
 	if (places) {
 		ground = input.ground;
 		tiles.forget_parts();
@@ -123,6 +126,25 @@ String FieldRuntime::begin_sampling(bool places) {
 	return sampler->begin(node, properties, sight_range_of(node), others_of(setup, store, properties, numbers));
 }
 
+bool FieldRuntime::has_survey(String &fault) {
+	fault = surveyor.fault();
+	if (surveyor.is_at_work() || !fault.is_empty()) {
+		return false;
+	}
+	PlacementRequest request;
+	FieldGround below;
+	fault = read_request(node, properties, sampler->setup, nullptr, request);
+	fault = fault.is_empty() ? read_ground(node, properties, below) : fault;
+	const AreaBox area = placed_box(request);
+	const bool is_bare = area.low.x > area.high.x || area.low.y > area.high.y;
+	if (!fault.is_empty() || is_bare || surveyor.is_current(node, properties, area)) {
+		return fault.is_empty();
+	}
+	surveyor.begin(node, properties, below, area);
+	fault = surveyor.fault();
+	return false;
+}
+
 void FieldRuntime::resume_sampling() {
 	const FrameBudget::Share share(FrameBudget::of_fields());
 	bool is_done = false;
@@ -131,6 +153,9 @@ void FieldRuntime::resume_sampling() {
 		return;
 	}
 	const bool places = sampler->places;
+	if (fault.is_empty() && places && !has_survey(fault) && fault.is_empty()) {
+		return;
+	}
 	BuildInput input;
 	motion.wait();
 	if (fault.is_empty() && !sampler->includes(others_of(setup, store, properties, input.species_numbers))) {
@@ -152,7 +177,8 @@ void FieldRuntime::resume_sampling() {
 void FieldRuntime::follow_area() {
 	PlacementRequest now;
 	const String fault = read_request(node, properties, setup, nullptr, now);
-	if (!fault.is_empty() || !placed_area.can_follow(now) || is_at_work() || is_building() || streams()) {
+	if (!fault.is_empty() || !placed_area.can_follow(now) || is_at_work() || is_building() || streams() ||
+			!surveyor.is_current(node, properties, placed_box(now))) {
 		rebuild(true, false);
 		return;
 	}

@@ -87,6 +87,7 @@ void PlantField3D::on_rebuild_queued() {
 }
 
 void PlantField3D::rebuild() {
+	runtime.forget_ground();
 	dirty.mark_placement();
 	dirty.mark_style();
 	if (is_inside_tree()) { // Else it is built when it enters the tree.
@@ -288,7 +289,8 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 	using Value = decltype(value);
 	bool is_accepted = true;
 	if constexpr (std::is_arithmetic_v<Value>) {
-		is_accepted = accept_value(this, setting.name, double(value), setting.range);
+		is_accepted = setting.is_angle ? accept_angle(this, setting.name, double(value), setting.range)
+									   : accept_value(this, setting.name, double(value), setting.range);
 	} else if constexpr (std::is_same_v<Value, Vector2>) {
 		const auto accept = setting.is_angle ? accept_angle_span : accept_span;
 		is_accepted = accept(this, setting.name, properties.*slot, value, setting.range);
@@ -306,11 +308,11 @@ template <auto slot, const PlantField3D::Setting &setting> void PlantField3D::se
 		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
-// The same for a span of angles, with bounds in degrees.
-#define ANGLES(m_name, m_about, m_min, m_max, ...)                                                                     \
+// The same for an angle or a span of angles, with bounds in degrees.
+#define ANGLES(m_type, m_name, m_about, m_min, m_max, ...)                                                             \
 	{                                                                                                                  \
 		static constexpr Setting setting = { #m_name, About::m_about, { m_min, m_max }, true };                        \
-		BIND_PROPERTY(VECTOR2, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),           \
+		BIND_PROPERTY(m_type, m_name, "get_" #m_name, (&self_type::set<&FieldProperties::m_name, setting>),            \
 				&self_type::get<&FieldProperties::m_name>, ##__VA_ARGS__);                                             \
 	}
 // The same without bounds.
@@ -330,6 +332,7 @@ void PlantField3D::bind_properties() {
 	NUMBER(FLOAT, clumping, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
 	NUMBER(FLOAT, clump_size, placement, 0.01, 1000.0, SLIDER("0.1,50,0.1,or_greater,suffix:m"));
 	NUMBER(FLOAT, combed, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
+	NUMBER(FLOAT, competition, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
 	ADD_GROUP("Area", "");
 	SET_HERE(VECTOR2, size, "get_size", PROPERTY_HINT_NONE, "suffix:m");
 	SET_HERE(NODE_PATH, outline, "get_outline", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "Path3D");
@@ -349,8 +352,9 @@ void PlantField3D::bind_properties() {
 	VALUE(NODE_PATH, ground_object, placement);
 	NUMBER(FLOAT, ground_sample_spacing, placement, 0.0, 100.0, SLIDER("0,4,0.01,or_greater,suffix:m"));
 	NUMBER(VECTOR2, height_limits, placement, -1e6, 1e6, PROPERTY_HINT_NONE, "suffix:m");
-	ANGLES(slope_limits, placement, 0.0, 180.0, SLIDER("0,180,0.1,radians_as_degrees"));
+	ANGLES(VECTOR2, slope_limits, placement, 0.0, 180.0, SLIDER("0,180,0.1,radians_as_degrees"));
 	NUMBER(FLOAT, slope_alignment, placement, 0.0, 1.0, SLIDER("0,1,0.01"));
+	ANGLES(FLOAT, sun_latitude, placement, -90.0, 90.0, SLIDER("-90,90,0.1,radians_as_degrees"));
 	ADD_GROUP("Motion", "");
 	SET_HERE(OBJECT, wind, "get_wind", PROPERTY_HINT_RESOURCE_TYPE, "PlantWind");
 	NUMBER(FLOAT, apparent_wind, nothing, 0.0, 10.0, SLIDER("0,1,0.01,or_greater"));

@@ -49,7 +49,7 @@ private:
 		const char *name;
 		About about;
 		Range range; ///< Of numbers, in degrees for angles. In a Vector2 it limits both, and x is at most y.
-		bool is_angle = false; ///< The value is in radians.
+		bool is_angle = false; ///< The value is in radians, and the range in degrees.
 	};
 	template <class Part, class Value> static Value value_of(Value Part::*); // For decltype.
 
@@ -163,7 +163,7 @@ public:
 	void on_added_species_changed();
 	void on_levels_changed();
 	void on_area_changed();
-	void on_ground_changed() { dirty.mark_placement(); }
+	void on_ground_changed();
 	void on_wind_changed();
 	void on_map_painted(const godot::Rect2 &rect);
 	void on_rebuild_queued();

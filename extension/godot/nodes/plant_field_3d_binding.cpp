@@ -126,6 +126,7 @@ void PlantField3D::on_species_changed() {
 		dirty.mark_style();
 	} else {
 		dirty.mark_placement();
+		update_configuration_warnings();
 	}
 }
 
@@ -149,6 +150,11 @@ void PlantField3D::on_levels_changed() {
 void PlantField3D::on_area_changed() {
 	dirty.mark_area();
 	update_gizmos();
+}
+
+void PlantField3D::on_ground_changed() {
+	runtime.forget_ground();
+	dirty.mark_placement();
 }
 
 void PlantField3D::on_wind_changed() {

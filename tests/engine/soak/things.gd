@@ -37,6 +37,7 @@ const FIRST_GRASS := 2
 
 var winds: Array[PlantWind] = [PlantWind.new(), PlantWind.new()]
 var maps: Array[PlantMap] = [PlantMap.new(), PlantMap.new()]
+var habitats: Array[PlantHabitat] = [PlantHabitat.new(), PlantHabitat.new()]
 
 var _fields: Array[PlantField3D]
 var _others: Array[Node3D]
@@ -171,7 +172,11 @@ func shade_ground(field: PlantField3D) -> void:
 
 
 func any_resource() -> Resource:
-	return pick(pick([_functions, _functions, _entries, _levels, _materials, _stems, _parts, maps]))
+	return pick(
+		pick(
+			[_functions, _functions, _entries, _levels, _materials, _stems, _parts, maps, habitats]
+		)
+	)
 
 
 ## Calls a method of a map, or stores its bytes for later maps.
@@ -281,6 +286,12 @@ func _new_wind_source() -> Node3D:
 	return source
 
 
+func _new_curve() -> Curve:
+	var low := rng.randf_range(-10.0, 10.0)
+	var high := low + rng.randf_range(0.1, 50.0)
+	return PlantHabitat.make_curve([Vector2(low, rng.randf()), Vector2(high, rng.randf())])
+
+
 ## Sets one property of [param object], described by [param info], to a random value.
 func change(object: Object, info: Dictionary) -> void:
 	if info == null or info["usage"] & PROPERTY_USAGE_READ_ONLY:
@@ -295,6 +306,8 @@ func change(object: Object, info: Dictionary) -> void:
 			object.set(title, null if chance(0.1) else pick(winds))
 		"stem":
 			object.set(title, null if chance(0.2) else pick(_stems))
+		"habitat":
+			object.set(title, null if chance(0.3) else pick(habitats))
 		"map":
 			object.set(title, null if chance(0.3) else pick(maps))
 		"part":
@@ -309,6 +322,8 @@ func change(object: Object, info: Dictionary) -> void:
 			object.set(title, NodePath() if chance(0.3) else _path_from(object as Node))
 		"exclusions", "streaming_targets":
 			object.set(title, _path_list(object as Node))
+		_ when object is PlantHabitat and title.ends_with("_curve"):
+			object.set(title, null if chance(0.3) else _new_curve())
 		_:
 			# The engine itself does not accept positions that are not finite.
 			var chosen: Variant = place() if info["type"] == TYPE_VECTOR3 else value(info)

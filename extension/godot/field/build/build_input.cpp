@@ -6,6 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "conventions.hpp"
 #include "field/build/field_areas.hpp"
+#include "field/build/field_habitats.hpp"
 #include "field/build/ground_sampler.hpp"
 #include "field/resources/empty_entry.hpp"
 #include "field/view/field_fitting.hpp"
@@ -122,6 +123,8 @@ String read_request(const Node3D *field, const PlacementOptions &options, const 
 	into.drift_size = float(options.clump_size);
 	into.combed = float(options.combed);
 	into.edge_falloff = float(options.edge_falloff);
+	into.habitats = read_habitats(field, options);
+	into.competition = read_competition(options);
 	double shares = 0.0, weighted = 0.0;
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantFieldSpecies> listed = options.species[i];

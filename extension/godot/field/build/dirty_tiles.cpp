@@ -2,6 +2,7 @@
 
 #include "base/convert.hpp"
 #include "field/build/build_input.hpp"
+#include "field/build/field_habitats.hpp"
 #include "field/view/cameras.hpp"
 #include "field/view/listed_styles.hpp"
 #include "placement/edit_finder.hpp"
@@ -31,6 +32,12 @@ static constexpr size_t MAX_COPIED_PLANTS = 6000; // Per frame, for parts: this 
 static constexpr double MAX_TILES = 4096.0;
 static constexpr double MIN_PLANTS = 32.0; // In a full tile.
 static constexpr double MAX_PLANTS = 2.0e6; // Graphics cards have texels for these plus the same number of old plants.
+
+// Returns a box with everything that plants in `box` compete with.
+static AreaBox area_of_competition(const DirtyTiles::Scene &scene, const AreaBox &box) {
+	const float reach = read_competition(scene.properties).reach();
+	return { box.low - reach, box.high + reach };
+}
 
 static double spacing_of(const PlacementRequest &request) {
 	PlacementRequest nothing = request;
@@ -324,9 +331,11 @@ bool DirtyTiles::describe(const Scene &scene, TileBuildInput &input) const {
 			return false; // A build with the present species failed, and the request would contain their indices.
 		}
 		input.request = PlacementRequest();
-		if (!read_request(scene.field, scene.properties, scene.setup, &box, input.request).is_empty()) {
+		const AreaBox wide = area_of_competition(scene, box);
+		if (!read_request(scene.field, scene.properties, scene.setup, &wide, input.request).is_empty()) {
 			return false;
 		}
+		input.request.within = box;
 	}
 	input.ground = scene.ground;
 	input.spacing = spacing;
@@ -472,8 +481,9 @@ void DirtyTiles::add_part(const TileKey &tile, const AreaBox &box) {
 }
 
 // A whole tile that has not begun reads the map later.
-void DirtyTiles::touch(const Scene &scene, const AreaBox &box, float tile_size) {
+void DirtyTiles::touch(const Scene &scene, const AreaBox &changed, float tile_size) {
 	size = tile_size;
+	const AreaBox box = area_of_competition(scene, changed);
 	const TileKey first = tile_at(box.low.x, box.low.y, size);
 	const TileKey last = tile_at(box.high.x, box.high.y, size);
 	for (int column = first.column; column <= last.column; column++) {
@@ -527,7 +537,9 @@ void DirtyTiles::begin_part(
 		const Scene &scene, const TileKey &tile, const AreaBox &box, size_t &copied_count) {
 	TileBuildInput input;
 	const bool are_known = scene.setup.listed_count == int(scene.properties.species.size());
-	const String fault = read_request(scene.field, scene.properties, scene.setup, &box, input.request);
+	const AreaBox wide = area_of_competition(scene, box);
+	const String fault = read_request(scene.field, scene.properties, scene.setup, &wide, input.request);
+	input.request.within = box;
 	input.tile = tile;
 	input.part = box;
 	input.ground = scene.ground;

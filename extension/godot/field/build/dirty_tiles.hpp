@@ -91,7 +91,7 @@ public:
 	void stop_list(const Scene &scene);
 
 	/// Marks a box (m, field axes) to be placed again, in tiles of `tile_size`.
-	void touch(const Scene &scene, const AreaBox &box, float tile_size);
+	void touch(const Scene &scene, const AreaBox &changed, float tile_size);
 	/// Cancels all parts in progress. They start again later.
 	void interrupt_parts();
 	/// Call if all tiles are placed again.

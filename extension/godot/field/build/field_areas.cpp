@@ -40,6 +40,17 @@ static FlatPath flatten(const Path3D *path, const Node3D *field) {
 	return flat;
 }
 
+// Returns the outline of another field in the axes of `field`.
+static Polygon outline_of(const PlantField3D *other, const Node3D *field) {
+	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
+	Polygon outline = other->outline_polygon();
+	for (glm::vec2 &point : outline) {
+		const Vector3 placed = to_field.xform(Vector3(point.x, 0.0f, point.y));
+		point = { placed.x, placed.z };
+	}
+	return outline;
+}
+
 static const Path3D *find_path(const Node3D *field, const NodePath &path) {
 	const Path3D *found = path.is_empty() ? nullptr : Object::cast_to<Path3D>(field->get_node_or_null(path));
 	return found && found->get_curve().is_valid() ? found : nullptr;
@@ -136,13 +147,22 @@ String read_exclusion(const Node3D *field, const PlacementOptions &options, int 
 		return name + String("'") + String(path) +
 				"' is neither a Path3D with a curve nor another PlantField3D. Set the path of one.";
 	}
-	const Transform3D to_field = axes_of(field).affine_inverse() * axes_of(other);
-	into = other->outline_polygon();
-	for (glm::vec2 &point : into) {
-		const Vector3 placed = to_field.xform(Vector3(point.x, 0.0f, point.y));
-		point = { placed.x, placed.z };
-	}
+	into = outline_of(other, field);
 	return String();
+}
+
+Polygon read_line(const Node3D *field, const Node3D *node, bool &is_closed) {
+	is_closed = true;
+	if (const PlantField3D *other = Object::cast_to<PlantField3D>(node)) {
+		return outline_of(other, field);
+	}
+	const Path3D *path = Object::cast_to<Path3D>(node);
+	if (!path || path->get_curve().is_null()) {
+		return {};
+	}
+	const FlatPath flat = flatten(path, field);
+	is_closed = flat.is_closed;
+	return flat.points;
 }
 
 std::vector<Node3D *> find_area_nodes(const Node3D *field, const PlacementOptions &options) {

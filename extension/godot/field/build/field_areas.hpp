@@ -22,6 +22,9 @@ godot::String find_outline_fault(const godot::Node3D *field, const PlacementOpti
 /// Reads the area of an entry of the exclusions, in the field's axes.
 godot::String read_exclusion(const godot::Node3D *field, const PlacementOptions &options, int entry, Polygon &into);
 
+/// Returns the points of a Path3D, or of the outline of a PlantField3D, in the field's axes. Sets whether it is closed.
+Polygon read_line(const godot::Node3D *field, const godot::Node3D *node, bool &is_closed);
+
 /// Returns the nodes that outline and exclusions depend on; some may be null.
 std::vector<godot::Node3D *> find_area_nodes(const godot::Node3D *field, const PlacementOptions &options);
 

@@ -1,9 +1,14 @@
 #include "field/build/field_build.hpp"
 
 #include "field/view/field_fitting.hpp"
+#include "placement/plant_removal.hpp"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 using namespace godot;
@@ -107,11 +112,16 @@ void FieldBuild::place() {
 		result.fault = tile.fault();
 		place_rows(tile, each * float(i), each * float(i + 1));
 	}
+	if (input.request.competition.is_on()) {
+		place_around();
+	}
 	if (placed.size() > int(PlacementRequest::MAX_PLANTS)) {
 		result.fault = PlacementFault::too_many_plants;
 		placed.clear();
 	}
-	input.edits.take_out(placed);
+	if (!input.request.competition.is_on()) {
+		input.edits.take_out(placed);
+	}
 	done = PLACED_SHARE;
 }
 
@@ -122,11 +132,60 @@ void FieldBuild::place_rows(const Placement &placement, float share_before, floa
 	}
 }
 
+// Competition needs the plants around the tiles, which are placed with them.
+void FieldBuild::place_around() {
+	const float reach = input.request.competition.reach();
+	const std::set<TileKey> tiles(input.tiles.begin(), input.tiles.end());
+	std::map<TileKey, AreaBox> around;
+	for (const TileKey &tile : input.tiles) {
+		const AreaBox box = tile_box(tile, input.tile_size);
+		for (int i = 0; i < 9; i++) {
+			const TileKey other = { tile.column + i % 3 - 1, tile.row + i / 3 - 1 };
+			const AreaBox both =
+					common_box(tile_box(other, input.tile_size), { box.low - reach, box.high + reach });
+			if (tiles.count(other) == 0 && both.low.x < both.high.x && both.low.y < both.high.y) {
+				const AreaBox known = around.emplace(other, both).first->second;
+				around[other] = { glm::min(known.low, both.low), glm::max(known.high, both.high) };
+			}
+		}
+	}
+	PlacementRequest request = input.request;
+	for (const auto &[tile, box] : around) {
+		request.within = box;
+		const Placement beside(request);
+		beside.place_rows(0, beside.row_count(), placed);
+	}
+}
+
+void FieldBuild::compete_around() {
+	if (!input.request.competition.is_on()) {
+		return;
+	}
+	compete(input.request.competition, placed, heights, normals);
+	if (input.is_of_tiles) {
+		const std::set<TileKey> tiles(input.tiles.begin(), input.tiles.end());
+		std::vector<int> outside;
+		for (int i = 0; i < placed.size(); i++) {
+			if (tiles.count(tile_at(placed.x[size_t(i)], placed.z[size_t(i)], input.tile_size)) == 0) {
+				outside.push_back(i);
+			}
+		}
+		remove_plants(outside, placed, heights, normals);
+	}
+}
+
 void FieldBuild::apply_heights() {
+	if (places()) {
+		thin_by_habitats(input.request.habitats, input.ground.survey.get(), placed, heights, normals);
+		compete_around();
+	}
 	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
 		apply_ground(placed, heights.data(), normals.data(), input.ground.limits);
 		heights = {};
 		normals = {};
+	}
+	if (places() && input.request.competition.is_on()) {
+		input.edits.take_out(placed); // Now, because removed plants competed, too.
 	}
 	done = STANDING_SHARE;
 }

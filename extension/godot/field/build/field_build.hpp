@@ -134,6 +134,8 @@ private:
 	void launch(Stage next);
 	void place();
 	void place_rows(const Placement &placement, float share_before, float share_after);
+	void place_around();
+	void compete_around();
 	void apply_heights();
 	/// Chooses the levels of all styles.
 	void fit();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "placement/habitat_survey.hpp"
 #include "placement/plants.hpp"
 #include "placement/triangle_ground.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace undergrowth {
@@ -18,6 +20,7 @@ struct FieldGround {
 	Kind kind = Kind::none;
 	GroundChoice choice = GroundChoice::highest;
 	GroundLimits limits;
+	std::shared_ptr<const HabitatSurvey> survey; ///< For habitats; null: none.
 	godot::PackedVector3Array triangles; ///< Triangles of a mesh: three corners each, in the field's axes.
 
 	/// True if a GroundSampler queries the ground on the main thread.

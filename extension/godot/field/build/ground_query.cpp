@@ -5,6 +5,7 @@
 #include "base/new_object.hpp"
 #include "field/build/build_input.hpp"
 #include "field/build/field_ground.hpp"
+#include "field/build/field_habitats.hpp"
 
 #include <godot_cpp/classes/collision_object3d.hpp>
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
@@ -55,7 +56,8 @@ namespace {
 
 bool slopes_matter(const PlacementOptions &options) {
 	constexpr float UPRIGHT = 1.5707f; // rad; no ground with a height is steeper.
-	return options.slope_limits.x > 0.0f || options.slope_limits.y < UPRIGHT || options.slope_alignment > 0.0;
+	return options.slope_limits.x > 0.0f || options.slope_limits.y < UPRIGHT || options.slope_alignment > 0.0 ||
+			habitats_use(options, HabitatFactor::slope);
 }
 
 // Normals remain perpendicular under an uneven scale of the field.

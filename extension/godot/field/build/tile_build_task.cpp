@@ -1,5 +1,7 @@
 #include "field/build/tile_build_task.hpp"
 
+#include "placement/plant_removal.hpp"
+
 #include <chrono>
 #include <utility>
 
@@ -71,18 +73,35 @@ TileBuildTask::Stage TileBuildTask::do_stage() {
 	return Stage::placed;
 }
 
+// Competition needs the plants around the tile, and the ground under all of them.
 void TileBuildTask::place() {
-	place_plants(input.request, placed);
-	input.edits.take_out(placed);
+	PlacementRequest wide = input.request;
+	const float reach = wide.competition.reach();
+	wide.within = AreaBox{ wide.within->low - reach, wide.within->high + reach };
+	place_plants(wide, placed);
+	if (!wide.competition.is_on()) {
+		input.edits.take_out(placed);
+	}
 	if (input.part) {
 		diff = std::make_unique<RegionDiff>(std::move(input.existing_in_part), input.spacing);
-		placed = diff->find_new_plants(placed);
+		placed = wide.competition.is_on() ? placed : diff->find_new_plants(placed);
 	}
 }
 
 void TileBuildTask::finish_placing() {
+	thin_by_habitats(input.request.habitats, input.ground.survey.get(), placed, heights, normals);
+	if (input.request.competition.is_on()) {
+		compete(input.request.competition, placed, heights, normals);
+		crop_plants(*input.request.within, placed, heights, normals);
+	}
 	if (heights.size() == size_t(placed.size()) && normals.size() == heights.size()) {
 		apply_ground(placed, heights.data(), normals.data(), input.ground.limits);
+	}
+	if (input.request.competition.is_on()) {
+		input.edits.take_out(placed); // Now, because removed plants competed, too.
+	}
+	if (diff && input.request.competition.is_on()) {
+		placed = diff->find_new_plants(placed);
 	}
 	if (diff) {
 		edit = diff->make_edit(placed);

@@ -28,6 +28,7 @@ struct PlacementOptions {
 	double clumping = 0.0;
 	double clump_size = 3.0; // m.
 	double combed = 0.6;
+	double competition = 0.0;
 	int ground_mode = 0;
 	int ground_choice = 0;
 	int64_t ground_collision_mask = 1;
@@ -35,6 +36,7 @@ struct PlacementOptions {
 	godot::Vector2 height_limits = { -1000.0f, 1000.0f }; // m.
 	godot::Vector2 slope_limits = { 0.0f, 1.5707963f }; // rad.
 	double slope_alignment = 0.0;
+	double sun_latitude = 0.87266463; // rad, of the light of habitats: 50°.
 	godot::NodePath outline; // Of a Path3D; empty: a rectangle of `size`.
 	double outline_width = 0.0; // m; 0: the area inside of the path.
 	double edge_falloff = 0.0; // m.

@@ -6,6 +6,7 @@
 #include "base/new_object.hpp"
 #include "base/renamed_properties.hpp"
 #include "base/shortest_decimal.hpp"
+#include "placement/competition.hpp"
 
 #include <utility>
 
@@ -65,6 +66,22 @@ void PlantFieldSpecies::set_species(const Ref<PlantFunction> &function) {
 	report_change(CHANGE_PLACEMENT, false);
 }
 
+void PlantFieldSpecies::on_habitat_changed() {
+	const Ref<PlantFieldSpecies> alive(this);
+	report_change(CHANGE_PLACEMENT, false);
+}
+
+void PlantFieldSpecies::set_habitat(const Ref<PlantHabitat> &where) {
+	if (where == habitat) {
+		return;
+	}
+	const Callable changed(this, "_on_habitat_changed");
+	unfollow_changes(habitat.ptr(), changed);
+	habitat = where;
+	follow_changes(habitat.ptr(), changed);
+	report_change(CHANGE_PLACEMENT, false);
+}
+
 void PlantFieldSpecies::set_weight(double value) {
 	set_number(weight, "weight", value, { 0.0, 1e6 });
 }
@@ -88,6 +105,18 @@ void PlantFieldSpecies::set_lean_deviation(double radians) {
 	if (accept_angle(this, "lean_deviation", radians, { 0.0, 80.0 })) {
 		set(lean_deviation, exact_angle(radians), CHANGE_PLACEMENT);
 	}
+}
+
+void PlantFieldSpecies::set_vigor(double factor) {
+	set_number(vigor, "vigor", factor, { 0.001, 1000.0 });
+}
+
+void PlantFieldSpecies::set_shade_radius(double metres) {
+	set_number(shade_radius, "shade_radius", metres, { 0.0, double(Competition::MAX_RADIUS) });
+}
+
+void PlantFieldSpecies::set_shade_tolerance(double chance) {
+	set_number(shade_tolerance, "shade_tolerance", chance, { 0.0, 1.0 });
 }
 
 void PlantFieldSpecies::set_variants(int count) {
@@ -118,6 +147,7 @@ void PlantFieldSpecies::_bind_methods() {
 	ClassDB::bind_static_method(
 			"PlantFieldSpecies", D_METHOD("of", "species", "weight"), &PlantFieldSpecies::of, DEFVAL(1.0));
 	ClassDB::bind_method(D_METHOD("_on_species_changed"), &PlantFieldSpecies::on_species_changed);
+	ClassDB::bind_method(D_METHOD("_on_habitat_changed"), &PlantFieldSpecies::on_habitat_changed);
 	BIND(get_change_kind);
 	BIND(get_layer_name);
 	PROPERTY(OBJECT, species, PROPERTY_HINT_RESOURCE_TYPE, "PlantFunction");
@@ -128,6 +158,10 @@ void PlantFieldSpecies::_bind_methods() {
 	PROPERTY(FLOAT, lean_deviation, SLIDER("0,80,0.1,radians_as_degrees"));
 	PROPERTY(INT, variants, SLIDER("1,64,1"));
 	PROPERTY(FLOAT, lod_bias, SLIDER("0.25,4,0.05,or_less,or_greater"));
+	PROPERTY(OBJECT, habitat, PROPERTY_HINT_RESOURCE_TYPE, "PlantHabitat");
+	PROPERTY(FLOAT, vigor, SLIDER("0.1,10,0.01,or_less,or_greater"));
+	PROPERTY(FLOAT, shade_radius, SLIDER("0,2,0.01,or_greater,suffix:m"));
+	PROPERTY(FLOAT, shade_tolerance, SLIDER("0,1,0.01"));
 	PROPERTY(STRING, layer);
 	BIND_ENUM_CONSTANT(CHANGE_NONE);
 	BIND_ENUM_CONSTANT(CHANGE_PLACEMENT);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "field/resources/plant_habitat.hpp"
 #include "species/plant_function.hpp"
 
 #include <godot_cpp/classes/resource.hpp>
@@ -7,8 +8,8 @@
 
 namespace undergrowth {
 
-/// One species of a PlantField3D: its weight among all species and the variation of its plants. Emits `changed` for
-/// each real change of a number, of the species, and of the species' own properties.
+/// One species of a PlantField3D: its weight among all species, its habitat and the variation of its plants. Emits
+/// `changed` for each real change of a number, of the species, and of the species' own properties.
 class PlantFieldSpecies : public godot::Resource {
 	GDCLASS(PlantFieldSpecies, godot::Resource)
 
@@ -31,6 +32,10 @@ private:
 	int variants = 4;
 	double lod_bias = 1.0;
 	godot::String layer;
+	godot::Ref<PlantHabitat> habitat;
+	double vigor = 1.0;
+	double shade_radius = 0.2; // m.
+	double shade_tolerance = 0.2;
 	godot::String auto_name;
 	ChangeKind change_kind = CHANGE_NONE; // While `changed` is emitted.
 	bool forwards = false; // True while `changed` is emitted for the function inside.
@@ -56,6 +61,7 @@ public:
 	bool is_species_change() const { return forwards; }
 	// Called by the engine.
 	void on_species_changed();
+	void on_habitat_changed();
 
 	void set_species(const godot::Ref<PlantFunction> &function);
 	godot::Ref<PlantFunction> get_species() const { return species; }
@@ -73,6 +79,14 @@ public:
 	godot::String get_layer() const { return layer; }
 	/// Returns its layer in a PlantMap: `layer`, or the name of its species if that is empty.
 	godot::String get_layer_name() const;
+	void set_habitat(const godot::Ref<PlantHabitat> &where);
+	godot::Ref<PlantHabitat> get_habitat() const { return habitat; }
+	void set_vigor(double factor);
+	double get_vigor() const { return vigor; }
+	void set_shade_radius(double metres);
+	double get_shade_radius() const { return shade_radius; }
+	void set_shade_tolerance(double chance);
+	double get_shade_tolerance() const { return shade_tolerance; }
 	void set_variants(int count);
 	int get_variants() const { return variants; }
 	void set_lod_bias(double factor);
