@@ -2,7 +2,10 @@ extends "sheet.gd"
 ## Where species grow by habitats: wet valleys, sunny slopes, banks of a brook.
 
 const FROM := Vector3(0.0, 7.5, 11.0)
-const SIDE := 20.0
+const GROUND := preload("res://addons/undergrowth/grounds/meadow.tres")
+const SIDE := 24.0
+## The hills go on beyond the field.
+const HILLS_SIDE := 64.0
 ## Degrees: from the south, as the light of habitats.
 const SUN := Vector3(-48.0, -35.0, 0.0)
 const WATER := Color(0.16, 0.27, 0.33)
@@ -112,10 +115,10 @@ func _make_field_on_hills(
 	var hills := MeshInstance3D.new()
 	hills.name = "Hills"
 	hills.mesh = _make_hills(height)
-	hills.material_override = (world.get_node("Ground") as MeshInstance3D).material_override
+	hills.material_override = GROUND
 	(world.get_node("Ground") as MeshInstance3D).hide()
 	world.add_child(hills)
-	var field := make_field(files, 26.0, Vector2.ONE * SIDE)
+	var field := make_field(files, 32.0, Vector2.ONE * SIDE)
 	field.ground_mode = PlantField3D.GROUND_MESH
 	field.ground_mesh = ^"../Hills"
 	field.edge_falloff = 0.5
@@ -126,7 +129,7 @@ func _make_field_on_hills(
 func _make_hills(height: Callable) -> ArrayMesh:
 	var tool := SurfaceTool.new()
 	tool.begin(Mesh.PRIMITIVE_TRIANGLES)
-	var count := int(SIDE / STEP)
+	var count := int(HILLS_SIDE / STEP)
 	for row in count:
 		for column in count:
 			for corner: Vector2 in [
@@ -137,8 +140,8 @@ func _make_hills(height: Callable) -> ArrayMesh:
 				Vector2(1, 1),
 				Vector2(0, 1)
 			]:
-				var x := (column + corner.x) * STEP - 0.5 * SIDE
-				var z := (row + corner.y) * STEP - 0.5 * SIDE
+				var x := (column + corner.x) * STEP - 0.5 * HILLS_SIDE
+				var z := (row + corner.y) * STEP - 0.5 * HILLS_SIDE
 				tool.add_vertex(Vector3(x, height.call(x, z), z))
 	tool.generate_normals()
 	return tool.commit()
