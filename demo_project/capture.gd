@@ -116,10 +116,11 @@ func _hide_panels() -> void:
 		layer.hide()
 
 
+## In the second frame, all has that size.
 func _draw_at(size: Vector2i) -> void:
 	root.size = size
-	for _frame in 2:
-		await RenderingServer.frame_post_draw
+	await _pass(1)
+	await RenderingServer.frame_post_draw
 
 
 func _trigger_gust() -> void:

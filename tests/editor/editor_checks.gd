@@ -40,6 +40,8 @@ class Listener:
 ## Minimum frames and seconds of [method until].
 const PATIENCE := 600
 const PATIENCE_SECONDS := 15.0
+## Microseconds of sleep in each frame of [method until].
+const WAITING_SLEEP := 5000
 ## Frames without a scan after which the editor has applied the results of the scan thread.
 const CALM_FRAMES := 3
 ## Minimum number of colours of a picture that is not empty.
@@ -131,13 +133,15 @@ func frames(count: int) -> void:
 		await (Engine.get_main_loop() as SceneTree).process_frame
 
 
-## Waits until [param condition] is true. Returns false at the time limit.
+## Waits until [param condition] is true, and leaves the processor to worker threads and other
+## programs. Returns false at the time limit.
 func until(condition: Callable) -> bool:
 	var begin := Time.get_ticks_msec()
 	var count := 0
 	while count < PATIENCE or Time.get_ticks_msec() - begin < PATIENCE_SECONDS * 1000.0:
 		if condition.call():
 			return true
+		OS.delay_usec(WAITING_SLEEP)
 		await frames(1)
 		count += 1
 	return false

@@ -27,11 +27,10 @@ const LIMIT_SECONDS := 60.0
 const LIMIT_FRAMES := 3000
 ## Seconds after which a line reports a running test.
 const LIFE_SIGN_SECONDS := 10.0
-## One of this many frames is drawn, and those for pictures. Without a graphics card, drawing takes
-## nearly all of the time.
-const DRAWN_FRAME := 8
-## One of this many frames draws the 3D viewports too: plants take longer than the window.
-const DRAWN_SCENE := 32
+## One of this many frames draws the windows, and those for pictures. Without a graphics card,
+## drawing takes nearly all of the time. All frames draw viewports that ask for a single picture, as
+## those of thumbnails do.
+const DRAWN_FRAME := 64
 ## Microseconds of sleep in each frame. The editor would set 100,000 in a window without the focus.
 const FRAME_SLEEP := 1
 ## One of this many pixels of the 3D viewports is drawn.
@@ -39,6 +38,8 @@ const DRAWN_PIXEL := 4
 
 var _passed := 0
 var _failed := 0
+# Viewports of containers, which draw them in each frame, whether their window is drawn or not.
+var _contained: Array[Viewport] = []
 
 
 func _enter_tree() -> void:
@@ -49,23 +50,44 @@ func _enter_tree() -> void:
 
 func _process(_delta: float) -> void:
 	OS.low_processor_usage_mode_sleep_usec = FRAME_SLEEP
-	var frame := Engine.get_process_frames()
 	var is_awaited := EditorTest.awaited_pictures > 0
-	RenderingServer.render_loop_enabled = is_awaited or frame % DRAWN_FRAME == 0
-	_draw_scene(is_awaited or frame % DRAWN_SCENE == 0)
+	_draw(is_awaited or Engine.get_process_frames() % DRAWN_FRAME == 0)
 
 
-func _draw_scene(is_drawn: bool) -> void:
-	var mode := SubViewport.UPDATE_WHEN_VISIBLE if is_drawn else SubViewport.UPDATE_DISABLED
-	for i in 4:
-		var view := EditorInterface.get_editor_viewport_3d(i)
-		if view.render_target_update_mode != mode:
-			view.render_target_update_mode = mode
+func _draw(is_drawn: bool) -> void:
+	var mode := RenderingServer.VIEWPORT_UPDATE_DISABLED
+	if is_drawn:
+		mode = RenderingServer.VIEWPORT_UPDATE_WHEN_VISIBLE
+	for viewport in _windows() + _contained:
+		RenderingServer.viewport_set_update_mode(viewport.get_viewport_rid(), mode)
+
+
+func _windows() -> Array[Viewport]:
+	var windows: Array[Viewport] = []
+	for id in DisplayServer.get_window_list():
+		var number := DisplayServer.window_get_attached_instance_id(id)
+		if is_instance_id_valid(number):
+			windows.append(instance_from_id(number))
+	return windows
+
+
+func _add_contained(node: Node) -> void:
+	if node is SubViewport and node.get_parent() is SubViewportContainer:
+		_contained.append(node)
+
+
+func _remove_contained(node: Node) -> void:
+	if node is SubViewport:
+		_contained.erase(node)
 
 
 func _run(wish: String) -> void:
 	for i in 4:
 		EditorInterface.get_editor_viewport_3d(i).scaling_3d_scale = sqrt(1.0 / DRAWN_PIXEL)
+	for node: Node in get_tree().root.find_children("*", "SubViewport", true, false):
+		_add_contained(node)
+	get_tree().node_added.connect(_add_contained)
+	get_tree().node_removed.connect(_remove_contained)
 	await _wait_for_editor()
 	print("start")
 	for path in _scripts(wish):

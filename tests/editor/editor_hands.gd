@@ -5,8 +5,6 @@ extends "editor_checks.gd"
 ## Events enter where those of the operating system do ([method Input.parse_input_event]). Focus,
 ## shortcuts and popups behave as they do for a user.
 
-## Maximum frames until a control is under the pointer.
-const POINTING_FRAMES := 20
 ## Number of steps of a drag.
 const DRAG_STEPS := 8
 
@@ -110,12 +108,12 @@ func _in_window(control: Control, at: Vector2) -> Vector2:
 # EditorSpinSlider: it captures the system's pointer, and Xvfb's pointer never returns into the
 # window.
 func _point(control: Control, where: Vector2) -> void:
-	for i in POINTING_FRAMES:
+	var viewport := control.get_viewport()
+	var is_under := func() -> bool:
 		_move(control, where, where, 0)
-		if control.get_viewport().gui_get_hovered_control():
-			return
-		await frames(1)
-	problems.append("nothing is under the pointer at %s of %s" % [where, control])
+		return viewport.gui_get_hovered_control() != null
+	if not await until(is_under):
+		problems.append("nothing is under the pointer at %s of %s" % [where, control])
 
 
 func _press(

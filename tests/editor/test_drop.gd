@@ -135,6 +135,11 @@ func _drag_between(control: Control, from: Vector2, to: Vector2) -> void:
 		Input.warp_mouse(now)
 		_move(control, from, now, MOUSE_BUTTON_MASK_LEFT)
 		await frames(2)
+	var area := find_by_script(AREA_SCRIPT) as Control
+	var is_over := func() -> bool:
+		_move(control, to, to, MOUSE_BUTTON_MASK_LEFT)
+		return control.get_viewport().gui_get_hovered_control() == area
+	check(await until(is_over), "the drop area is under the pointer")
 	_press(control, to, MOUSE_BUTTON_LEFT, false)
 	await frames(5)
 	Input.warp_mouse(before)

@@ -1,19 +1,13 @@
 #include "allocations.hpp"
 
+#include "../base/sanitized.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
 // Every allocation of this program uses these operators, so tests can count those of a step.
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define UNDERGROWTH_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define UNDERGROWTH_SANITIZED
-#endif
-#endif
 
 #if !defined(_WIN32) && !defined(UNDERGROWTH_SANITIZED)
 

@@ -1,5 +1,6 @@
 // Error of distant stems: without a camera near, fields step one mode of stems with two.
 
+#include "../base/sanitized.hpp"
 #include "../motion/varied.hpp"
 #include "../wind/air_series.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr float STEP = 1.0f / 60.0f; // s.
 constexpr double NEAR = 10.0; // m: beyond this distance fields step one mode of stems without pushes.
+constexpr int STEPS = repetitions(3600, 600); // A minute of wind.
 /// m: a pixel at that distance, with 1080 rows over 75 degrees.
 const double PIXEL = 2.0 * NEAR * std::tan(0.5 * 75.0 * 3.14159265358979 / 180.0) / 1080.0;
 
@@ -39,7 +41,7 @@ struct Apart {
 	int count = 0;
 };
 
-/// For stems of `length` over a minute of wind.
+/// For stems of `length` over STEPS of wind.
 Apart apart_in(WindKind kind, float length) {
 	StemBeam beam;
 	beam.length = length;
@@ -58,7 +60,7 @@ Apart apart_in(WindKind kind, float length) {
 	one.set_modes(1);
 	const FieldWind wind = wind_of(kind);
 	Apart apart;
-	for (int step = 0; step < 3600; step++) {
+	for (int step = 0; step < STEPS; step++) {
 		const WindSnapshot now = wind_at_time(wind, (step + 0.5) * static_cast<double>(STEP));
 		both.step(now, winds_along(wind));
 		one.step(now, winds_along(wind));

@@ -1,3 +1,4 @@
+#include "../base/sanitized.hpp"
 #include "allocations.hpp"
 #include "field/contact.hpp"
 #include "field_fixture.hpp"
@@ -8,7 +9,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr int STEPS = 600;
+constexpr int STEPS = repetitions(600, 120);
 
 MovingBody walker(int step) {
 	MovingBody body;

@@ -1,5 +1,6 @@
 #include "form_mesh_fixture.hpp"
 
+#include "../base/sanitized.hpp"
 #include "../form/any_species.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +13,7 @@ using namespace undergrowth;
 
 namespace {
 
-constexpr uint64_t SPECIES = 60; // `./run test suites=species` grows any number of them.
+constexpr uint64_t SPECIES = repetitions(60, 15); // `./run test suites=species` grows any number of them.
 
 bool is_finite(const BuiltForm &mesh) {
 	bool finite = true;

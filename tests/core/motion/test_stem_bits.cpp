@@ -1,3 +1,4 @@
+#include "../base/sanitized.hpp"
 #include "../field/allocations.hpp"
 #include "../stem/stems.hpp"
 #include "stem_plants.hpp"
@@ -73,7 +74,7 @@ TEST_CASE("any division of stems, at every level, gives the same bits") {
 				StemPlants whole = meadow(modes, 601, leans);
 				StemPlants best = meadow(modes, 601, leans);
 				StemPlants parts = meadow(modes, 601, leans);
-				for (int n = 0; n < 250; n++) {
+				for (int n = 0; n < repetitions(250, 50); n++) {
 					apply_wind(whole, n, wind);
 					apply_wind(best, n, wind);
 					apply_wind(parts, n, wind);
