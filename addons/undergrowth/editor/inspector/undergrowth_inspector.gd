@@ -1,14 +1,15 @@
 @tool
 extends EditorInspectorPlugin
 ## Adds a moving plant, the outline of its stem, and the tree of its parts above a species'
-## properties, the force over time above a wind's, and the kinds of area above a field's. Shows
-## ranges as one control, and numbers below 0 as what they mean.
+## properties, the force over time above a wind's, and the kinds of area and a map of the species
+## above a field's. Shows ranges as one control, and numbers below 0 as what they mean.
 
 const PlantPreview := preload("plant_preview.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")
 const HeightSlider := preload("../widgets/height_slider.gd")
 const RangeProperty := preload("range_property.gd")
 const AreaBar := preload("area_bar.gd")
+const SpeciesMap := preload("species_map.gd")
 const WordedProperty := preload("worded_property.gd")
 const PartsEditor := preload("../parts/parts_editor.gd")
 const ProfilePlot := preload("../widgets/profile_plot.gd")
@@ -69,6 +70,9 @@ func _parse_category(object: Object, category: String) -> void:
 		var bar := AreaBar.new()
 		bar.setup(object as PlantField3D)
 		add_custom_control(bar)
+		var map := SpeciesMap.new()
+		map.setup(object as PlantField3D)
+		add_custom_control(map)
 
 
 func _parse_property(
