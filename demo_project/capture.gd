@@ -116,7 +116,7 @@ func _hide_panels() -> void:
 		layer.hide()
 
 
-## In the second frame, all has that size.
+## Everything has that size from the second frame on.
 func _draw_at(size: Vector2i) -> void:
 	root.size = size
 	await _pass(1)

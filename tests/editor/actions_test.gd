@@ -117,3 +117,18 @@ func _close_all_scenes() -> void:
 func _write(path: String, text: String) -> void:
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	file.store_string(text)
+
+
+## Returns the configuration warnings of a field in the tree of the scene dock, in one line, if they
+## contain [param what]. Otherwise the text is empty.
+func find_warning(field: PlantField3D, what: String) -> String:
+	for dock in EditorInterface.get_base_control().find_children("*", "SceneTreeDock", true, false):
+		for tree: Tree in dock.find_children("*", "Tree", true, false):
+			var item := tree.get_root()
+			while item:
+				for i in item.get_button_count(0) if item.get_text(0) == field.name else 0:
+					var text := " ".join(item.get_button_tooltip_text(0, i).split("\n"))
+					if text.contains(what):
+						return text
+				item = item.get_next_in_tree()
+	return ""

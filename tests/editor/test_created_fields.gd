@@ -18,7 +18,7 @@ func test_a_created_field_lies_on_the_collider_below_it() -> void:
 	check_equal(field.ground_mode, PlantField3D.GROUND_COLLIDERS, "ground mode")
 	await _check_slope(field)
 	check(field.wind and field.wind.kind == PlantWind.KIND_AIR, "it has wind")
-	check(_find_warning(field).is_empty(), "no warning: " + _find_warning(field))
+	check(find_warning(field, PLACE).is_empty(), "no warning: " + find_warning(field, PLACE))
 	await undo()
 	check_equal(root.get_child_count(), 1, "nodes after one step of undo")
 	await redo()
@@ -63,7 +63,7 @@ func test_a_field_above_the_ground_has_a_warning_until_it_is_placed() -> void:
 	undo_manager.add_do_reference(field)
 	undo_manager.add_undo_method(root, &"remove_child", field)
 	undo_manager.commit_action()
-	var is_warned := func() -> bool: return _find_warning(field).contains(PLACE)
+	var is_warned := func() -> bool: return find_warning(field, PLACE).contains(PLACE)
 	check(await until(is_warned), "the scene dock shows the warning")
 	_select([field])
 	EditorInterface.edit_node(field)
@@ -83,7 +83,7 @@ func test_a_field_on_a_level_plane_has_no_warning() -> void:
 		return
 	await frames(20)
 	check_equal(field.ground_mode, PlantField3D.GROUND_NONE, "ground mode")
-	check(_find_warning(field).is_empty(), "no warning: " + _find_warning(field))
+	check(find_warning(field, PLACE).is_empty(), "no warning: " + find_warning(field, PLACE))
 	await undo()
 
 
@@ -95,32 +95,24 @@ func test_a_field_that_is_kept_flat_has_no_warning() -> void:
 	field.owner = root
 	_select([field])
 	EditorInterface.get_editor_undo_redo().history_changed.emit()
-	check(await until(func() -> bool: return _find_warning(field) != ""), "it has a warning")
+	check(await until(func() -> bool: return find_warning(field, PLACE) != ""), "it has a warning")
 	var button := find_by_script(BAR_SCRIPT).get_node("%KeepFlat") as Button
 	await click(button)
-	check(await until(func() -> bool: return _find_warning(field) == ""), "it has none any more")
+	check(
+		await until(func() -> bool: return find_warning(field, PLACE) == ""), "it has none any more"
+	)
 	await undo()
-	check(await until(func() -> bool: return _find_warning(field) != ""), "undo brings it back")
+	check(
+		await until(func() -> bool: return find_warning(field, PLACE) != ""), "undo brings it back"
+	)
 	check(not button.button_pressed, "the button is up")
 	await redo()
-	check(await until(func() -> bool: return _find_warning(field) == ""), "redo takes it away")
+	check(
+		await until(func() -> bool: return find_warning(field, PLACE) == ""), "redo takes it away"
+	)
 	check_equal(EditorInterface.save_scene(), OK, "saving")
 	var saved := FileAccess.get_file_as_string(SCENE)
 	check(saved.contains("_undergrowth_keep_flat"), "the scene keeps it")
-
-
-## Returns the configuration warning in the tree of the scene dock, or an empty text.
-func _find_warning(field: PlantField3D) -> String:
-	for dock in EditorInterface.get_base_control().find_children("*", "SceneTreeDock", true, false):
-		for tree: Tree in dock.find_children("*", "Tree", true, false):
-			var item := tree.get_root()
-			while item:
-				for i in item.get_button_count(0) if item.get_text(0) == field.name else 0:
-					var text := " ".join(item.get_button_tooltip_text(0, i).split("\n"))
-					if text.contains(PLACE):
-						return text
-				item = item.get_next_in_tree()
-	return ""
 
 
 ## Creates a field below [param root] with the Create Node dialog.

@@ -12,15 +12,21 @@ func test_habitats_without_effect_have_warnings() -> void:
 	var habitat := PlantHabitat.new()
 	field.species[0].habitat = habitat
 	habitat.slope_curve = PlantHabitat.make_curve([Vector2(0, 1), Vector2(20, 0)])
-	check(await until(func() -> bool: return _find_warning(field).contains(FLAT)), "flat field")
-	check(_find_warning(field).contains("species[0]"), "it names the entry")
+	check(
+		await until(func() -> bool: return find_warning(field, "habitat").contains(FLAT)),
+		"flat field"
+	)
+	check(find_warning(field, "habitat").contains("species[0]"), "it names the entry")
 	habitat.slope_curve = null
 	habitat.distance_group = &"water"
 	habitat.distance_curve = PlantHabitat.make_curve([Vector2(0, 1), Vector2(2, 0)])
-	check(await until(func() -> bool: return _find_warning(field).contains(BARE)), "empty group")
-	check(not _find_warning(field).contains(FLAT), "the first one is gone")
+	check(
+		await until(func() -> bool: return find_warning(field, "habitat").contains(BARE)),
+		"empty group"
+	)
+	check(not find_warning(field, "habitat").contains(FLAT), "the first one is gone")
 	habitat.distance_curve = null
-	check(await until(func() -> bool: return _find_warning(field) == ""), "none is left")
+	check(await until(func() -> bool: return find_warning(field, "habitat") == ""), "none is left")
 
 
 func test_a_curve_that_is_dragged_changes_the_field() -> void:
@@ -34,20 +40,6 @@ func test_a_curve_that_is_dragged_changes_the_field() -> void:
 		habitat.height_curve.set_point_value(point, 0.5)
 	var is_thin := func() -> bool: return field.get_plant_count() < 0.7 * before
 	check(await until(is_thin), "%d of %d plants" % [field.get_plant_count(), before])
-
-
-## Returns the configuration warnings in the tree of the scene dock, in one line.
-func _find_warning(field: PlantField3D) -> String:
-	for dock in EditorInterface.get_base_control().find_children("*", "SceneTreeDock", true, false):
-		for tree: Tree in dock.find_children("*", "Tree", true, false):
-			var item := tree.get_root()
-			while item:
-				for i in item.get_button_count(0) if item.get_text(0) == field.name else 0:
-					var text := " ".join(item.get_button_tooltip_text(0, i).split("\n"))
-					if text.contains("habitat"):
-						return text
-				item = item.get_next_in_tree()
-	return ""
 
 
 func _open_field() -> PlantField3D:

@@ -165,3 +165,13 @@ func add_path(title: String, points: Array[Vector3]) -> NodePath:
 	field.add_child(path)
 	path.owner = field
 	return NodePath(title)
+
+
+## Returns the positions of the plants of an entry of the field's species, by id.
+func places_of(entry: int) -> Dictionary[int, Vector3]:
+	var places: Dictionary[int, Vector3] = {}
+	var species := field.species[entry].species
+	for id in field.get_plant_ids():
+		if field.get_plant_species(id) == species:
+			places[id] = field.get_plant_transform(id).origin
+	return places

@@ -27,11 +27,11 @@ func before_each() -> void:
 func test_plants_follow_the_height_of_the_ground() -> void:
 	_lay_on_hills()
 	await start()
-	var all := _places(0)
-	var others := _places(1)
+	var all := places_of(0)
+	var others := places_of(1)
 	_habitat.height_curve = PlantHabitat.make_curve([Vector2(0.0, 0.0), Vector2(0.02, 1.0)])
 	await rested()
-	var left := _places(0)
+	var left := places_of(0)
 	var expected := 0
 	for id in all:
 		expected += 1 if all[id].y > 0.01 else 0
@@ -39,10 +39,10 @@ func test_plants_follow_the_height_of_the_ground() -> void:
 	for id in left:
 		check(left[id].y > -1e-4, "height %f" % left[id].y)
 		check_equal(left[id], all.get(id), "place of a plant that stays")
-	check_equal(_places(1), others, "plants of the other species")
+	check_equal(places_of(1), others, "plants of the other species")
 	_habitat.height_curve = null
 	await rested()
-	check_equal(_places(0), all, "plants without the curve")
+	check_equal(places_of(0), all, "plants without the curve")
 
 
 func test_plants_follow_the_slope_in_degrees() -> void:
@@ -51,12 +51,12 @@ func test_plants_follow_the_slope_in_degrees() -> void:
 		[Vector2(0.0, 1.0), Vector2(30.0, 1.0), Vector2(30.1, 0.0)]
 	)
 	await start()
-	var places := _places(0)
+	var places := places_of(0)
 	check(places.size() > 100, "%d plants" % places.size())
 	for id in places:
 		check(_slope(places[id].x) < 32.5, "slope %f" % _slope(places[id].x))
-	for id in _places(1):
-		if _slope(_places(1)[id].x) > 40.0:
+	for id in places_of(1):
+		if _slope(places_of(1)[id].x) > 40.0:
 			return
 	check(false, "the other species does not grow on steep ground")
 
@@ -72,13 +72,13 @@ func test_a_texture_lies_on_the_field() -> void:
 	_habitat.texture_curve = PlantHabitat.make_curve([Vector2(0.5, 0.0), Vector2(0.52, 1.0)])
 	await start()
 	# The pixel's centre is at (7, 4). Beyond the texture its border continues.
-	var left := _places(0)
+	var left := places_of(0)
 	check(left.size() > 20, "%d plants" % left.size())
 	for id in left:
 		check(left[id].x > 5.0 and left[id].z > 2.0, "at %v" % left[id])
 	_habitat.texture_channel = PlantHabitat.CHANNEL_RED
 	await rested()
-	check_equal(_places(0).size(), 0, "in the channel without the pixel")
+	check_equal(places_of(0).size(), 0, "in the channel without the pixel")
 
 
 func test_noise_counts_when_it_is_generated() -> void:
@@ -91,10 +91,10 @@ func test_noise_counts_when_it_is_generated() -> void:
 	await start()
 	await until(func() -> bool: return noise.get_image() != null, "the noise is generated")
 	await rested()
-	var count := _places(0).size()
+	var count := places_of(0).size()
 	_habitat.texture = null
 	await rested()
-	var all := _places(0).size()
+	var all := places_of(0).size()
 	check(count > 0.25 * all and count < 0.75 * all, "%d of %d plants" % [count, all])
 
 
@@ -131,7 +131,7 @@ func test_the_inside_of_a_closed_path_is_near() -> void:
 	_habitat.distance_group = &"water"
 	_habitat.distance_curve = PlantHabitat.make_curve([Vector2(0.0, 1.0), Vector2(0.02, 0.0)])
 	await start()
-	var left := _places(0)
+	var left := places_of(0)
 	check(left.size() > 300, "%d plants" % left.size())
 	for id in left:
 		check(maxf(absf(left[id].x), absf(left[id].z)) < 6.1, "at %v" % left[id])
@@ -141,13 +141,13 @@ func test_tiles_of_a_streamed_field_have_the_plants_of_the_whole() -> void:
 	_lay_on_hills()
 	_habitat.height_curve = PlantHabitat.make_curve([Vector2(-4.0, 0.0), Vector2(4.0, 1.0)])
 	await start()
-	var whole := _places(0)
+	var whole := places_of(0)
 	field.tile_size = 5.0
 	field.view_distance = 40.0
 	field.add_child(Camera3D.new())
 	await rested()
-	check_equal(_places(0).keys().size(), whole.size(), "plants of tiles")
-	for id in _places(0):
+	check_equal(places_of(0).keys().size(), whole.size(), "plants of tiles")
+	for id in places_of(0):
 		check(id in whole, "plant %d" % id)
 
 
@@ -170,20 +170,20 @@ func test_a_painted_map_and_a_habitat_multiply() -> void:
 	)
 	field.map = map
 	await start()
-	var painted := _places(0)
+	var painted := places_of(0)
 	_habitat.height_curve = PlantHabitat.make_curve([Vector2(-1.0, 0.5), Vector2(1.0, 0.5)])
 	await rested()
-	var left := _places(0)
+	var left := places_of(0)
 	for id in left:
 		check(id in painted, "plant %d is painted" % id)
 	check_near(left.size() / float(painted.size()), 0.5, 0.06, "share of the painted plants")
 	map.paint(Vector3(-5, 0, 0), 3.0, field.species[0].get_layer_name(), 1.0, 0.0)
 	await rested()
-	check(_places(0).size() > left.size() + 20, "painting adds plants")
+	check(places_of(0).size() > left.size() + 20, "painting adds plants")
 	field.rebuild()
-	var strokes := _places(0)
+	var strokes := places_of(0)
 	await filled(field)
-	check_equal(_places(0).size(), strokes.size(), "plants of a whole build")
+	check_equal(places_of(0).size(), strokes.size(), "plants of a whole build")
 
 
 func test_a_new_curve_has_the_domain_of_its_factor() -> void:
@@ -255,18 +255,8 @@ func _slope(x: float) -> float:
 	return rad_to_deg(atan(absf(0.3 * HILL * cos(0.3 * x))))
 
 
-# Positions of the plants of an entry, by id.
-func _places(entry: int) -> Dictionary[int, Vector3]:
-	var places: Dictionary[int, Vector3] = {}
-	var species := field.species[entry].species
-	for id in field.get_plant_ids():
-		if field.get_plant_species(id) == species:
-			places[id] = field.get_plant_transform(id).origin
-	return places
-
-
 func _check_along(z: float) -> void:
-	var places := _places(0)
+	var places := places_of(0)
 	check(places.size() > 200, "%d plants" % places.size())
 	for id in places:
 		check(absf(places[id].z - z) < 2.02, "at %v" % places[id])

@@ -44,13 +44,13 @@ func before_each() -> void:
 func test_wet_plants_grow_in_the_valley() -> void:
 	_habitat.moisture_curve = _step_at(0.7)
 	await start()
-	var left := _places(0)
+	var left := places_of(0)
 	check(left.size() > 50, "%d plants" % left.size())
 	for id in left:
 		check(absf(left[id].x) < 3.0, "at %v" % left[id])
 	_habitat.moisture_curve = PlantHabitat.make_curve([Vector2(0.68, 1.0), Vector2(0.7, 0.0)])
 	await rested()
-	var dry := _places(0)
+	var dry := places_of(0)
 	check(dry.size() > 1000, "%d dry plants" % dry.size())
 	for id in dry:
 		check(absf(dry[id].x) > 0.3, "at %v" % dry[id])
@@ -60,13 +60,13 @@ func test_light_falls_on_the_slope_towards_the_sun() -> void:
 	_ground.is_roof = true
 	_habitat.light_curve = _step_at(0.51)
 	await start()
-	var left := _places(0)
+	var left := places_of(0)
 	check(left.size() > 500, "%d plants" % left.size())
 	for id in left:
 		check(left[id].z > -1.0, "at %v" % left[id])
 	field.sun_latitude = deg_to_rad(-40.0)
 	await rested()
-	left = _places(0)
+	left = places_of(0)
 	check(left.size() > 500, "%d plants in the south" % left.size())
 	for id in left:
 		check(left[id].z < 1.0, "at %v" % left[id])
@@ -119,17 +119,17 @@ func test_a_faulty_source_of_values_is_an_error_with_a_remedy() -> void:
 	_ground.answer = 0.75
 	field.rebuild()
 	await filled(field)
-	check(_places(0).size() > 500, "%d plants" % _places(0).size())
+	check(places_of(0).size() > 500, "%d plants" % places_of(0).size())
 	_ground.answer = NAN
 	field.rebuild()
 	await filled(field)
-	check_equal(_places(0).size(), 0, "plants where the ground has holes")
+	check_equal(places_of(0).size(), 0, "plants where the ground has holes")
 
 
 func test_a_streamed_field_has_one_survey() -> void:
 	_habitat.moisture_curve = _step_at(0.6)
 	await start()
-	var whole := _places(0)
+	var whole := places_of(0)
 	field.free()
 	before_each()
 	_habitat.moisture_curve = _step_at(0.6)
@@ -138,8 +138,8 @@ func test_a_streamed_field_has_one_survey() -> void:
 	field.add_child(Camera3D.new())
 	await start()
 	await rested()
-	check_equal(_places(0).size(), whole.size(), "plants of tiles")
-	for id in _places(0):
+	check_equal(places_of(0).size(), whole.size(), "plants of tiles")
+	for id in places_of(0):
 		check(id in whole, "plant %d" % id)
 
 
@@ -151,7 +151,7 @@ func test_a_field_without_an_area_ignores_the_survey() -> void:
 	field.add_child(Camera3D.new())
 	await start()
 	await rested()
-	var left := _places(0)
+	var left := places_of(0)
 	check(left.size() > 500, "%d plants" % left.size())
 	for id in left:
 		check(left[id].y > 0.97, "at %v" % left[id])
@@ -160,10 +160,10 @@ func test_a_field_without_an_area_ignores_the_survey() -> void:
 func test_competition_has_the_same_plants_in_tiles_of_any_order() -> void:
 	_compete(0.0)
 	await start()
-	var all := _places(1)
+	var all := places_of(1)
 	field.competition = 1.0
 	await rested()
-	var left := _places(1)
+	var left := places_of(1)
 	check(left.size() < 0.7 * all.size(), "%d of %d low plants" % [left.size(), all.size()])
 	for id in left:
 		check_equal(left[id], all.get(id), "place of a plant that stays")
@@ -241,19 +241,9 @@ func _step_at(x: float) -> Curve:
 	return PlantHabitat.make_curve([Vector2(x - 0.02, 0.0), Vector2(x, 1.0)])
 
 
-# Positions of the plants of an entry, by id.
-func _places(entry: int) -> Dictionary[int, Vector3]:
-	var places: Dictionary[int, Vector3] = {}
-	var species := field.species[entry].species
-	for id in field.get_plant_ids():
-		if field.get_plant_species(id) == species:
-			places[id] = field.get_plant_transform(id).origin
-	return places
-
-
 # Between two samples of the survey suitability changes over 1 m.
 func _check_from(place: float, axis: Vector3) -> void:
-	var left := _places(0)
+	var left := places_of(0)
 	check(left.size() > 400, "%d plants" % left.size())
 	var full := 0
 	for id in left:

@@ -116,12 +116,7 @@ std::vector<glm::dvec3> sun_path(double latitude) {
 
 HabitatRaster find_light(const HeightGrid &grid, double latitude) {
 	const Sky sky(latitude);
-	HabitatRaster raster;
-	raster.cell = { grid.step, grid.step };
-	raster.low = grid.low - 0.5f * grid.step;
-	raster.columns = grid.columns;
-	raster.rows = grid.rows;
-	raster.values.assign(grid.size(), static_cast<float>(OPEN_LIGHT));
+	HabitatRaster raster = grid.raster(static_cast<float>(OPEN_LIGHT));
 	for (int row = 0; row < grid.rows; row++) {
 		for (int column = 0; column < grid.columns; column++) {
 			const std::size_t here = grid.index(column, row);

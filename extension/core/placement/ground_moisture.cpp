@@ -149,12 +149,7 @@ std::vector<double> find_drained_areas(const HeightGrid &grid) {
 HabitatRaster find_moisture(const HeightGrid &grid) {
 	const FilledGround ground(grid);
 	const std::vector<double> areas = drain(grid, ground);
-	HabitatRaster raster;
-	raster.cell = { grid.step, grid.step };
-	raster.low = grid.low - 0.5f * grid.step;
-	raster.columns = grid.columns;
-	raster.rows = grid.rows;
-	raster.values.assign(grid.size(), 0.0f);
+	HabitatRaster raster = grid.raster(0.0f);
 	for (const std::size_t point : ground.flood_order()) {
 		const auto width = static_cast<std::size_t>(grid.columns);
 		const glm::dvec2 slope = grid.gradient(static_cast<int>(point % width), static_cast<int>(point / width));

@@ -42,4 +42,14 @@ glm::dvec2 HeightGrid::gradient(int column, int row) const {
 		rise(here, row > 0, row + 1 < rows, static_cast<std::size_t>(columns)) };
 }
 
+HabitatRaster HeightGrid::raster(float value) const {
+	HabitatRaster raster;
+	raster.cell = { step, step };
+	raster.low = low - 0.5f * step;
+	raster.columns = columns;
+	raster.rows = rows;
+	raster.values.assign(size(), value);
+	return raster;
+}
+
 } // namespace undergrowth

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "placement/area.hpp"
+#include "placement/habitat_raster.hpp"
 
 #include <glm/vec2.hpp>
 
@@ -29,6 +30,8 @@ struct HeightGrid {
 	glm::vec2 point(std::size_t number) const;
 	/// Slope (m/m) along x and z at a point, from the neighbours that exist; 0 without any.
 	glm::dvec2 gradient(int column, int row) const;
+	/// A raster with this value at all points.
+	HabitatRaster raster(float value) const;
 
 private:
 	double rise(std::size_t here, bool has_before, bool has_after, std::size_t apart) const;

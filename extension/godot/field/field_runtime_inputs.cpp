@@ -131,6 +131,9 @@ bool FieldRuntime::has_survey(String &fault) {
 	if (surveyor.is_at_work() || !fault.is_empty()) {
 		return false;
 	}
+	if (!HabitatSurveyor::is_needed(properties)) {
+		return true; // Reading the request costs time, and the build reads it again.
+	}
 	PlacementRequest request;
 	FieldGround below;
 	fault = read_request(node, properties, sampler->setup, nullptr, request);

@@ -9,11 +9,24 @@
 #include <godot_cpp/classes/scene_tree.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 using namespace godot;
 
 namespace undergrowth {
+
+// Factors of a survey.
+static constexpr HabitatFactor SURVEYED[] = { HabitatFactor::moisture, HabitatFactor::light, HabitatFactor::value };
+
+bool uses_survey(const PlantHabitat *habitat) {
+	return std::any_of(std::begin(SURVEYED), std::end(SURVEYED),
+			[habitat](HabitatFactor factor) { return habitat->uses(factor); });
+}
+
+bool has_area(const PlacementOptions &options) {
+	return !options.endless || options.map.is_valid();
+}
 
 Ref<PlantHabitat> habitat_of(const PlacementOptions &options, int64_t number) {
 	const Ref<PlantFieldSpecies> listed = options.species[number];
@@ -50,7 +63,7 @@ static std::shared_ptr<const HabitatLines> read_lines(const Node3D *field, const
 // Returns a habitat without the curves that need a survey, for fields that have none.
 static std::shared_ptr<const Habitat> without_survey(const Habitat &of) {
 	auto rest = std::make_shared<Habitat>(of);
-	for (const HabitatFactor factor : { HabitatFactor::moisture, HabitatFactor::light, HabitatFactor::value }) {
+	for (const HabitatFactor factor : SURVEYED) {
 		rest->curve(factor) = HabitatCurve();
 	}
 	return rest;
@@ -62,7 +75,7 @@ Habitats read_habitats(const Node3D *field, const PlacementOptions &options) {
 	for (int64_t i = 0; i < options.species.size(); i++) {
 		const Ref<PlantHabitat> habitat = habitat_of(options, i);
 		read.of_species.push_back(habitat.is_valid() ? habitat->share() : nullptr);
-		if (habitat.is_valid() && options.endless && options.map.is_null()) {
+		if (habitat.is_valid() && !has_area(options)) {
 			read.of_species.back() = without_survey(*read.of_species.back());
 		}
 		read.lines.emplace_back();
@@ -146,9 +159,7 @@ PackedStringArray find_habitat_warnings(const Node *field, const PlacementOption
 			warnings.push_back(name +
 					String("depends on slope or height, but this field is flat: set Ground Mode, or remove these curves."));
 		}
-		const bool needs_survey = habitat->uses(HabitatFactor::moisture) || habitat->uses(HabitatFactor::light) ||
-				habitat->uses(HabitatFactor::value);
-		if (needs_survey && options.endless && options.map.is_null()) {
+		if (uses_survey(habitat.ptr()) && !has_area(options)) {
 			warnings.push_back(name +
 					String("depends on moisture, light or a value, which need an area: disable Endless, or remove these "
 						   "curves."));

@@ -19,6 +19,10 @@ godot::Ref<PlantHabitat> habitat_of(const PlacementOptions &options, int64_t num
 Habitats read_habitats(const godot::Node3D *field, const PlacementOptions &options);
 /// True if a habitat of some species uses the factor.
 bool habitats_use(const PlacementOptions &options, HabitatFactor factor);
+/// True if the habitat uses moisture, light or values, which need a survey of the ground.
+bool uses_survey(const PlantHabitat *habitat);
+/// True if the field has the area that a survey needs.
+bool has_area(const PlacementOptions &options);
 /// Returns the paths and fields whose distance matters to habitats.
 std::vector<godot::Node3D *> find_habitat_nodes(const godot::Node3D *field, const PlacementOptions &options);
 /// Returns the competition of the species.

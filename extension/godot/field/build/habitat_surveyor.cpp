@@ -25,13 +25,6 @@ static constexpr float MARGIN = 0.25f, MIN_MARGIN = 8.0f, MAX_MARGIN = 64.0f;
 static constexpr float SQUARE = 32.0f; // m.
 static constexpr int PLACES_AT_ONCE = 64;
 
-static bool needs_survey(const FieldProperties &options) {
-	const bool is_bounded = !options.endless || options.map.is_valid();
-	return is_bounded &&
-			(habitats_use(options, HabitatFactor::moisture) || habitats_use(options, HabitatFactor::light) ||
-					habitats_use(options, HabitatFactor::value));
-}
-
 // An area in large squares, so that painting and small changes of the area rarely need another survey.
 static AreaBox squares_around(const AreaBox &area) {
 	const auto down = [](float place) { return SQUARE * std::floor(place / SQUARE); };
@@ -68,8 +61,21 @@ static String key_of(const Node3D *field, const FieldProperties &options, const 
 	return key;
 }
 
+bool HabitatSurveyor::is_needed(const FieldProperties &options) {
+	if (!has_area(options)) {
+		return false;
+	}
+	for (int64_t i = 0; i < options.species.size(); i++) {
+		const Ref<PlantHabitat> habitat = habitat_of(options, i);
+		if (habitat.is_valid() && uses_survey(habitat.ptr())) {
+			return true;
+		}
+	}
+	return false;
+}
+
 bool HabitatSurveyor::is_current(const Node3D *field, const FieldProperties &options, const AreaBox &area) const {
-	return !needs_survey(options) || (!found_key.is_empty() && found_key == key_of(field, options, area));
+	return !is_needed(options) || (!found_key.is_empty() && found_key == key_of(field, options, area));
 }
 
 void HabitatSurveyor::stop() {
@@ -130,11 +136,7 @@ bool HabitatSurveyor::list_values(Node3D *field, const FieldProperties &options)
 		one.object = uint64_t(source->get_instance_id());
 		one.method = habitat->get_value_method();
 		one.channel = int(habitat->get_value_channel());
-		one.raster.columns = work->grid.columns;
-		one.raster.rows = work->grid.rows;
-		one.raster.cell = { work->grid.step, work->grid.step };
-		one.raster.low = work->grid.low - 0.5f * work->grid.step;
-		one.raster.values.assign(work->grid.size(), 0.0f);
+		one.raster = work->grid.raster(0.0f);
 		work->sampled.push_back(std::move(one));
 	}
 	return true;

@@ -25,6 +25,8 @@ public:
 	HabitatSurveyor(const HabitatSurveyor &) = delete;
 	HabitatSurveyor &operator=(const HabitatSurveyor &) = delete;
 
+	/// True if some habitat of the field needs a survey.
+	static bool is_needed(const FieldProperties &options);
 	/// True if habitats of the field need no survey, or have one of this area (m, field axes).
 	bool is_current(const godot::Node3D *field, const FieldProperties &options, const AreaBox &area) const;
 	/// Begins a survey of an area.

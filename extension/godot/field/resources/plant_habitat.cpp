@@ -192,8 +192,6 @@ HabitatCurve PlantHabitat::read_curve(HabitatFactor factor) const {
 // A noise texture has no image until it is generated, and reports that as a change.
 void PlantHabitat::read_texture(Habitat &into) const {
 	const Ref<Image> image = texture.is_valid() ? texture->get_image() : Ref<Image>();
-	HabitatCurve &curve = into.curve(HabitatFactor::texture);
-	curve = HabitatCurve();
 	if (image.is_null() || image->is_empty()) {
 		return;
 	}
@@ -223,6 +221,7 @@ void PlantHabitat::read_texture(Habitat &into) const {
 	for (size_t i = 0; i < raster.values.size(); i++) {
 		raster.values[i] = pixels[i * CHANNELS + size_t(texture_channel)];
 	}
+	HabitatCurve &curve = into.curve(HabitatFactor::texture);
 	curve = read_curve(HabitatFactor::texture);
 	if (!curve.is_set()) {
 		curve.values = { 0.0f, 1.0f };
@@ -233,7 +232,7 @@ std::shared_ptr<const Habitat> PlantHabitat::share() const {
 	if (!core) {
 		auto read = std::make_shared<Habitat>();
 		for (size_t i = 0; i < HABITAT_FACTORS; i++) {
-			if (uses(HabitatFactor(i))) {
+			if (uses(HabitatFactor(i)) && HabitatFactor(i) != HabitatFactor::texture) {
 				read->curves[i] = read_curve(HabitatFactor(i));
 			}
 		}
