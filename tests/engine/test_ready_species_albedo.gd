@@ -17,10 +17,8 @@ const MAX_FAR_HUE_CHANGES: Dictionary[String, float] = {
 	"ivy_carpet": 7.0,
 	"lavender": 9.5,
 	"lawn_grass": 6.5,
-	"moss_cushion": 8.0,
 	"oxeye_daisy": 13.5,
 	"poppy": 9.0,
-	"red_clover": 8.0,
 	"yarrow": 8.5,
 }
 ## Segments of solid forms, and the ΔE (CIE 1976) by which their mean colour may differ from that of
@@ -34,7 +32,7 @@ const MAX_TONE_CHANGES: Dictionary[String, float] = {
 	"dandelion": 2.3,
 	"moss_cushion": 3.7,
 	"straw": 4.7,
-	"yarrow": 2.3,
+	"yarrow": 2.4,
 }
 ## Limits of undergrowth_in_gamut(): maximum channel, and minimum channel relative to it, linear.
 const MAX_CHANNEL := 0.85

@@ -273,6 +273,8 @@ func test_green_leaves_die_and_petals_do_not() -> void:
 	var green := await _values("undergrowth_patches", "undergrowth_greenness(vec3(0.2, x, 0.1))")
 	check_near(green[63], 1.0, 0.001, "a leaf")
 	check_near(green[0], 0.0, 0.001, "a red petal")
+	var pale := await _values("undergrowth_patches", "undergrowth_greenness(vec3(0.6, x, 0.55))")
+	check_near(pale[63], 0.0, 0.001, "a pale petal")
 	var code := "undergrowth_with_dead_leaves(vec3(%s), x).%s"
 	var leaf := "0.2, 0.5, 0.1"
 	var red := await _values("undergrowth_patches", code % [leaf, "r"])

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace undergrowth {
 
@@ -224,18 +225,41 @@ void shape_spindle(FormBody &body, const Measure &m) {
 		{ middle + share * (m.high - middle), 0.0f } };
 }
 
-/// Mean colour of the parts below or above this height; of all parts without any there.
-glm::vec4 color_of(const Measure &m, float from, float to) {
+/// Mean colour with these shares, by area.
+glm::vec4 mean_of(const std::vector<ColoredArea> &areas, const std::vector<float> &shares) {
 	glm::vec3 squares(0.0f);
 	float alpha = 0.0f, area = 0.0f;
-	for (const ColoredArea &own : m.areas) {
-		const float share = own.along >= from && own.along < to ? own.area : 1e-6f * own.area;
-		squares += glm::vec3(own.color) * glm::vec3(own.color) * share;
-		alpha += own.color.w * share;
-		area += share;
+	for (size_t i = 0; i < areas.size(); i++) {
+		squares += glm::vec3(areas[i].color) * glm::vec3(areas[i].color) * shares[i];
+		alpha += areas[i].color.w * shares[i];
+		area += shares[i];
 	}
 	area = std::max(area, 1e-18f);
 	return glm::vec4(glm::sqrt(squares / area), alpha / area);
+}
+
+/// Mean colour of the parts below this height; of all parts without any there.
+glm::vec4 color_below(const Measure &m, float height) {
+	std::vector<float> shares;
+	for (const ColoredArea &own : m.areas) {
+		shares.push_back(own.along < height ? own.area : 1e-6f * own.area);
+	}
+	return mean_of(m.areas, shares);
+}
+
+/// Mean colour as seen from the tip: parts hide those behind them, as layers of random leaves do (Beer-Lambert).
+/// `disc`: area over which they are spread (m²).
+glm::vec4 color_from_tip(const Measure &m, float disc) {
+	std::vector<ColoredArea> areas = m.areas;
+	std::stable_sort(areas.begin(), areas.end(),
+			[](const ColoredArea &a, const ColoredArea &b) { return a.along > b.along; });
+	std::vector<float> shares;
+	double before = 0.0;
+	for (const ColoredArea &own : areas) {
+		shares.push_back(own.area * static_cast<float>(portable_exp(-before / static_cast<double>(disc))));
+		before += static_cast<double>(own.area);
+	}
+	return mean_of(areas, shares);
 }
 
 /// Parts close to their axis hide each other, also those of other groups there: a rod is no wider than the parts reach.
@@ -252,13 +276,14 @@ void shape_rod(FormBody &body, const Measure &m, float others, float all) {
 
 void color_rings(FormBody &body, const Measure &m) {
 	const bool is_divided = body.shown > 0.0f && body.rings.size() > 2 && is_broad(m);
-	const float middle = is_divided ? body.rings[1].along : 0.0f;
-	const glm::vec4 upper = color_of(m, is_divided ? middle : -1e9f, 1e9f);
+	const float radius = is_divided ? body.rings[1].radius : 0.0f;
+	const glm::vec4 upper = is_divided ? color_from_tip(m, static_cast<float>(PI) * radius * radius)
+									   : color_below(m, std::numeric_limits<float>::max());
 	for (FormBody::Ring &ring : body.rings) {
 		ring.color = upper;
 	}
 	if (is_divided) {
-		body.rings.front().color = color_of(m, -1e9f, middle);
+		body.rings.front().color = color_below(m, body.rings[1].along);
 	}
 }
 

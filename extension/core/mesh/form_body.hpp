@@ -13,7 +13,7 @@ namespace undergrowth {
 /// One body that replaces all parts of a group on one carrier, and everything on these parts, at a distance. A disc
 /// becomes a dome, a whorl the lathe of its midribs with a closed base, parts along an axis a spindle, or an open rod
 /// if they are close to it, as in an ear. It has the parts' mean colour and their size from the side. A broad spindle,
-/// as of an umbel, has the colours of the parts below and above its widest ring.
+/// as of an umbel, has the colour of the parts below its widest ring, and above it the colour seen from its tip.
 struct FormBody {
 	struct Ring {
 		float along = 0.0f; ///< m along the axis from the origin, or along the carrier.

@@ -1,6 +1,7 @@
 #include "mesh/form_match.hpp"
 
 #include "mesh/outline_fit.hpp"
+#include "mesh/plan_steps.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -20,6 +21,8 @@ constexpr int COARSE_VERTICES = 60;
 constexpr float MATCHED = 0.015f; // Error of each outline.
 constexpr float TOLERATED = 0.03f; // A larger error starts a search.
 constexpr int COLOR_STEPS = 4;
+constexpr float VIVID_WORTH = 1.0f; // Additional worth of a colour that changes least.
+constexpr float MIN_PLAINNESS = 0.5f;
 constexpr float MAX_GAIN = 1.8f; // Maximum factor of a colour in linear light; the minimum is its reciprocal.
 constexpr float MAX_ADDED_LIGHT = 0.15f; // Maximum of linear light that is added to all colours.
 constexpr float MAX_REMOVED_LIGHT = 0.06f; // Maximum that is subtracted: white stays white.
@@ -66,6 +69,24 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 	}
 }
 
+/// By vertex: 1 for colours near the mean of the plant, as of leaves, and less for conspicuous ones. A white flower that
+/// took on the difference of the leaves would become green, which is seen in a whole field of coarse plants.
+std::vector<float> plainness(const std::vector<glm::vec3> &light, const glm::vec3 &mean) {
+	if (light.size() >= COARSE_VERTICES) {
+		return std::vector<float>(light.size(), 1.0f);
+	}
+	const auto color_of = [](const glm::vec3 &one) {
+		return glm::vec3(from_light(one.x), from_light(one.y), from_light(one.z));
+	};
+	std::vector<float> plain;
+	plain.reserve(light.size());
+	for (const glm::vec3 &own : light) {
+		const float worth = worth_of(color_of(own), color_of(mean)) - 1.0f;
+		plain.push_back(1.0f - (1.0f - MIN_PLAINNESS) * std::min(worth / VIVID_WORTH, 1.0f));
+	}
+	return plain;
+}
+
 void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &units, const FormBuffers &mesh) {
 	const std::vector<float> shares = seen_shares(seen(mesh, units), measure.box);
 	std::vector<glm::vec3> light;
@@ -74,16 +95,22 @@ void match_colors(const FormMeasure &measure, const std::vector<WrittenUnit> &un
 		const glm::vec4 &color = mesh.colors[i];
 		light.emplace_back(to_light(color.x), to_light(color.y), to_light(color.z));
 	}
+	const std::vector<float> plain = plainness(light, measure.light);
 	glm::vec3 gains(1.0f);
+	const auto scaled = [&](size_t i) {
+		return glm::min(light[i] * (glm::vec3(1.0f) + (gains - 1.0f) * plain[i]), glm::vec3(1.0f));
+	};
 	for (int step = 0; step < COLOR_STEPS; step++) { // Several steps, because no colour can exceed white.
-		glm::vec3 mean(0.0f);
+		glm::vec3 plain_light(0.0f), mean(0.0f);
 		for (size_t i = 0; i < shares.size(); i++) {
-			mean += glm::min(light[i] * gains, glm::vec3(1.0f)) * shares[i];
+			mean += scaled(i) * shares[i];
+			plain_light += light[i] * gains * plain[i] * shares[i];
 		}
-		gains = glm::clamp(gains * (measure.light + 1e-4f) / (mean + 1e-4f), 1.0f / MAX_GAIN, MAX_GAIN);
+		const glm::vec3 wanted = glm::max(plain_light + measure.light - mean, glm::vec3(0.0f));
+		gains = glm::clamp(gains * (wanted + 1e-4f) / (plain_light + 1e-4f), 1.0f / MAX_GAIN, MAX_GAIN);
 	}
 	glm::vec3 more(0.0f); // If a component is too dark to be scaled.
-	const auto shifted = [&](size_t i) { return glm::clamp(light[i] * gains + more, 0.0f, 1.0f); };
+	const auto shifted = [&](size_t i) { return glm::clamp(scaled(i) + more * plain[i], 0.0f, 1.0f); };
 	for (int step = 0; step < COLOR_STEPS; step++) {
 		glm::vec3 mean(0.0f);
 		for (size_t i = 0; i < shares.size(); i++) {

@@ -31,7 +31,7 @@ struct Tolerance {
 };
 
 constexpr Tolerance TOLERANCES[] = { { 12, 0.03, 0.05, 3.0 }, { 6, 0.03, 0.07, 3.0 }, { 3, 0.03, 0.05, 3.2 },
-	{ 2, 0.03, 0.07, 3.0 }, { 1, 0.04, 0.09, 3.0 } };
+	{ 2, 0.03, 0.07, 3.0 }, { 1, 0.04, 0.09, 3.6 } };
 
 struct Sights {
 	Sight sides[SIDES];
