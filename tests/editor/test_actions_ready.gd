@@ -97,7 +97,7 @@ func test_a_ready_species_stays_in_its_file() -> void:
 func test_a_field_is_as_dense_as_suits_its_plants() -> void:
 	var root := await _open_garden()
 	var densities: Array[float] = []
-	for title: String in ["Common Reed", "Meadow Grass", "Lawn Grass"]:
+	for title: String in ["Common Reed", "Meadow Grass", "Lawn Grass", "Moss Cushion"]:
 		await _choose(title)
 		await _use("AddField")
 		var field := root.get_child(-1) as PlantField3D
@@ -109,6 +109,7 @@ func test_a_field_is_as_dense_as_suits_its_plants() -> void:
 	check(densities[0] < 10.0, "reeds are sparse: %s" % [densities])
 	check(densities[1] > densities[0], "grass is denser: %s" % [densities])
 	check(densities[2] > 100.0, "a lawn is densest: %s" % [densities])
+	check(densities[3] < 100.0, "cushions do not lie on each other: %s" % [densities])
 
 
 func test_the_tile_of_a_mix_says_what_grows_in_it() -> void:

@@ -320,6 +320,15 @@ func test_parts_are_added_on_the_ground_and_on_others_at_once() -> void:
 	check_equal(counts.slice(0, 3), PackedInt32Array([3, 1, 1]), "parts")
 
 
+func test_options_are_integers_or_floats() -> void:
+	var species := Faulty.new()
+	species.deed = func(plant: PlantGrowth) -> void:
+		var stems := plant.scatter(PlantAxis.new(), 2, {radius = 1, tilt = 1, deviation = 0})
+		plant.whorl(PlantBlade.new(), stems, 3, {angle = 1, radius = 0.5})
+	check_equal(species.find_problem(0.0, 6), "", "its problem")
+	check(species.generate_mesh(0.0, 6, 1).get_aabb().size.x > 1.0, "the radius is used")
+
+
 func test_a_plant_that_has_grown_takes_no_more_parts() -> void:
 	var species := Faulty.new()
 	var kept: Array[PlantGrowth] = []

@@ -59,6 +59,15 @@ TEST_CASE("the order of ids does not depend on the order in which tiles are buil
 	CHECK(store.ids() == ids);
 }
 
+TEST_CASE("ids of added plants follow those of the field") {
+	PlantStore store = filled_store();
+	std::vector<PlantId> ids = store.ids();
+	StoreEdit edit;
+	edit.added = { plant_at(-20.0f, -20.0f) };
+	ids.push_back(store.apply(std::move(edit)).added.at(0));
+	CHECK(store.ids() == ids);
+}
+
 TEST_CASE("cells give ids at all densities, also far from the origin") {
 	for (const float density : { 0.01f, 1.0f, 40.0f, 2000.0f }) {
 		const double spacing = 1.0 / std::sqrt(static_cast<double>(density));

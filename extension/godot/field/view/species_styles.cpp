@@ -23,7 +23,7 @@ namespace undergrowth {
 
 static constexpr size_t MEASURED_VARIANTS = 3;
 static constexpr float CARD_SHARE = 2.0f / 3.0f; // Of their error: three pixels in place of two.
-static constexpr float BODY_SHARE = 2.0f;
+static constexpr float BODY_SHARE = 3.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
 static constexpr float SHARPEST = 0.0018f; // m, as an error: nearer, parts are seen to be flat.
 static constexpr float MIN_CARD_GAIN = 0.85f;
