@@ -64,6 +64,18 @@ TEST_CASE("crosswise pairs: two at a node, a quarter turn from node to node") {
 	}
 }
 
+TEST_CASE("samples of angle and scale replace their ranges, from the first part to the last") {
+	Arrangement a = layout(Layout::along);
+	a.angle = a.scale = { 1.0f, 1.0f };
+	a.angles = { 0.2f, 0.4f, 1.0f };
+	a.scales = { 0.5f, 2.0f, 1.0f };
+	CHECK(a.angle_at(0.0f) == doctest::Approx(0.2));
+	CHECK(a.angle_at(0.75f) == doctest::Approx(0.7));
+	CHECK(a.scale_at(0.0f) == doctest::Approx(0.5));
+	CHECK(a.scale_at(0.25f) == doctest::Approx(1.25));
+	CHECK(a.scale_at(1.0f) == doctest::Approx(1.0));
+}
+
 TEST_CASE("a whorl is evenly distributed around the circle") {
 	Arrangement a = layout(Layout::whorl);
 	a.radius = 0.01f;
