@@ -18,7 +18,7 @@ const SPECIES := {
 	"bellflower": ["Campanula persicifolia", 2, 0.93, 0.1],
 	"buttercup": ["Ranunculus acris", 6, 1.0, 0.036],
 	"dandelion": ["Taraxacum officinale", 4, 0.6, 0.05],
-	"red_clover": ["Trifolium pratense", 3, 1.0, 0.04],
+	"red_clover": ["Trifolium pratense", 5, 1.0, 0.04],
 	"yarrow": ["Achillea millefolium", 3, 1.0, 0.09],
 	"lavender": ["Lavandula angustifolia", 4, 1.0, 0.07],
 	"garden_tulip": ["Tulipa gesneriana", 6, 1.0, 0.1],

@@ -251,8 +251,8 @@ glm::vec4 color_below(const Measure &m, float height) {
 /// `disc`: area over which they are spread (m²).
 glm::vec4 color_from_tip(const Measure &m, float disc) {
 	std::vector<ColoredArea> areas = m.areas;
-	std::stable_sort(areas.begin(), areas.end(),
-			[](const ColoredArea &a, const ColoredArea &b) { return a.along > b.along; });
+	std::stable_sort(
+			areas.begin(), areas.end(), [](const ColoredArea &a, const ColoredArea &b) { return a.along > b.along; });
 	std::vector<float> shares;
 	double before = 0.0;
 	for (const ColoredArea &own : areas) {

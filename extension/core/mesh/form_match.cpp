@@ -69,8 +69,8 @@ void match_outlines(const FormMeasure &measure, const std::vector<WrittenUnit> &
 	}
 }
 
-/// By vertex: 1 for colours near the mean of the plant, as of leaves, and less for conspicuous ones. A white flower that
-/// took on the difference of the leaves would become green, which is seen in a whole field of coarse plants.
+/// By vertex: 1 for colours near the mean of the plant, as of leaves, and less for conspicuous ones. A white flower
+/// that took on the difference of the leaves would become green, which is seen in a whole field of coarse plants.
 std::vector<float> plainness(const std::vector<glm::vec3> &light, const glm::vec3 &mean) {
 	if (light.size() >= COARSE_VERTICES) {
 		return std::vector<float>(light.size(), 1.0f);
