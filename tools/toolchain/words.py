@@ -13,7 +13,7 @@ from .place import Missing, ROOT, TOOLCHAIN, environment_with, say
 LIGHT_WORDS = {"lint"}
 PICTURE_WORDS = {"demo", "guide"}
 PLOT_WORDS = {"bench"}
-DRAWING_WORDS = {"demo", "guide", "test", "bench"}
+DRAWING_WORDS = {"demo", "guide", "test", "bench", "bench_scene"}
 # Suites of `test` that need no engine.
 CORE_SUITES = {"tools", "core", "asan", "tsan", "species"}
 
