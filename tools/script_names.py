@@ -9,8 +9,8 @@ COMMENT_OR_STRING = re.compile(r'"""(?:.|\n)*?"""|&?\^?"(?:\\.|[^"\\\n])*"|&?\'(
 WORD = re.compile(r"(?<![\w.])([A-Za-z_]\w*)")
 MEMBER = re.compile(r"\.\s*([A-Za-z_]\w*)")
 QUALIFIED = re.compile(r"(?<![\w.])([A-Z]\w*)\.([A-Za-z_]\w*)")
-# An own name: of a variable, constant, function, signal, enumeration, class or parameter.
-OWN = re.compile(r"\b(?:var|const|func|signal|enum|class|class_name)\s+([A-Za-z_]\w*)")
+# An own name: of a variable, constant, function, signal, enumeration, class, loop or parameter.
+OWN = re.compile(r"\b(?:var|const|func|signal|enum|class|class_name|for)\s+([A-Za-z_]\w*)|[(,]\s*(\w+)\s*:")
 NODE_TYPE = re.compile(r'\btype="(\w+)"')
 PROPERTY = re.compile(r"^(\w+) = ", re.MULTILINE)
 
@@ -42,11 +42,16 @@ class Names:
         return False
 
 
-def used_in_script(text):
-    """(words, qualified words) of a script, without comments, strings and the names that it declares."""
+def own_names(text):
+    """The names that a script declares."""
+    return {name for pair in OWN.findall(COMMENT_OR_STRING.sub("", text)) for name in pair}
+
+
+def used_in_script(text, declared=frozenset()):
+    """(words, qualified words) of a script, without comments, strings, its own names, and members `declared` elsewhere."""
     code = COMMENT_OR_STRING.sub("", text)
-    own = set(OWN.findall(code))
-    return (set(WORD.findall(code)) | set(MEMBER.findall(code))) - own, set(QUALIFIED.findall(code))
+    words = set(WORD.findall(code)) | set(MEMBER.findall(code)) - declared
+    return words - own_names(text), set(QUALIFIED.findall(code))
 
 
 def used_in_scene(text):
