@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import arm64, editor, engine, export, package, picture, programs, soak, species, windows  # noqa: E402  (the path above comes first)
+from suites import arm64, bench_scene, editor, engine, export, package, picture, programs, soak, species, windows  # noqa: E402  (the path above comes first)
 from suites.result import processor_time  # noqa: E402
 
 LOGS = ROOT / "build/test"
@@ -29,7 +29,8 @@ def plan(options):
     # The longest first.
     suites = []
     if options.godot:
-        suites += [("picture", lambda: picture.demo(options.godot)), ("editor", lambda: editor.run(options.godot, options.only))]
+        suites += [("picture", lambda: picture.demo(options.godot)), ("editor", lambda: editor.run(options.godot, options.only)),
+                   ("bench_scene", lambda: bench_scene.run(options.godot))]
     suites += [("tools", lambda: programs.unittest("tools", ROOT / "tests/tools"))]
     for name, program in (("core", options.core), ("asan", options.asan), ("tsan", options.tsan)):
         if program:

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Compares the engine methods that the library calls with the API dumps of several Godot versions.
+"""Compares the engine methods that the library calls, and the names in the add-on's scripts and scenes, with the API dumps
+of several Godot versions.
 
 The library looks each method up by name and signature hash. A version can load the library if it has every method with
-that hash, or lists the hash as compatible. The dumps are in the crate gdextension-api, which cargo fetches; --dumps names
-a folder with VERSION/extension_api.json instead."""
+that hash, or lists the hash as compatible. Scripts for newer versions only (NEWER_ONLY) are left out. The dumps are in the
+crate gdextension-api, which cargo fetches; --dumps names a folder with VERSION/extension_api.json instead."""
 
 import argparse
 import json
@@ -12,12 +13,23 @@ import subprocess
 import sys
 from pathlib import Path
 
+import script_names
+
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "extension/binding"))
+
+from generator import interface  # noqa: E402  (the path above comes first)
+
 CRATE = "gdextension-api"
 CRATE_VERSION = "0.5.1"
 VERSIONS = ["4.5", "4.6", "4.7"]
-BUILT_FOR = "4.6"  # The oldest version that the library loads in.
+BUILT_FOR = "4.6"  # The version whose API the library is built with.
+ADD_ON = ROOT / "addons/undergrowth"
+SCRIPTS, SCENES = {".gd"}, {".tscn", ".tres"}
+# Loaded only where the engine has the class EditorDock, since 4.6.
+NEWER_ONLY = {"editor_dock.gd"}
 CALL = re.compile(r" U godot::(\w+)::(\w+)\(")
+OVERRIDE = re.compile(r"\b(_\w+)\([^;{]*\boverride\b")
 MANIFEST = f"""[package]
 name = "dumps"
 version = "0.0.0"
@@ -56,14 +68,47 @@ def compare(calls, own, other):
     return missing, changed
 
 
+def script_faults(own, other, folder=ADD_ON):
+    """{file: names that `other` lacks} of the add-on's scripts and scenes. Both are names of dumps."""
+    texts = {path: path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*"))
+             if path.suffix in SCRIPTS | SCENES and path.name not in NEWER_ONLY}
+    declared = {name for path, text in texts.items() if path.suffix in SCRIPTS for name in script_names.own_names(text)}
+    faults = {}
+    for path, text in texts.items():
+        is_script = path.suffix in SCRIPTS
+        used = script_names.used_in_script(text, declared) if is_script else script_names.used_in_scene(text)
+        lost = script_names.lacking(used, own, other)
+        faults.update({path.relative_to(folder).as_posix(): lost} if lost else {})
+    return faults
+
+
+def overridden(folder):
+    """The names of the engine's virtual methods that the library's classes override."""
+    return {name for path in folder.rglob("*.hpp") for name in OVERRIDE.findall(path.read_text(encoding="utf-8"))}
+
+
+def virtual_calls(names, classes):
+    """Class and method of each virtual method of the engine with one of these names."""
+    return {(name, method["name"]) for name, entry in classes.items() for method in entry.get("methods", [])
+            if method.get("is_virtual") and method["name"] in names}
+
+
+def newer_functions(table, used, version):
+    """The used functions of the extension interface that are newer than the version. `table` is that of the crate."""
+    def number(text):
+        return tuple(map(int, text.split(".")))
+    return sorted(one["name"] for one in table if one["name"] in used and number(one["since"]) > number(version))
+
+
 def calls_of(text):
     """Class and method of each engine call in the output of `nm -C --undefined-only`."""
     return set(CALL.findall(text))
 
 
 def read(folder, version):
-    path = folder / version / "extension_api.json"
-    return {entry["name"]: entry for entry in json.loads(path.read_text(encoding="utf-8"))["classes"]}
+    """A dump: its classes by name, and its names for scripts."""
+    dump = json.loads((folder / version / "extension_api.json").read_text(encoding="utf-8"))
+    return {entry["name"]: entry for entry in dump["classes"] + dump["builtin_classes"]}, script_names.Names(dump)
 
 
 def fetch(folder):
@@ -93,14 +138,24 @@ def main():
     words = ["nm", "-C", "--undefined-only", *map(str, objects)]
     calls = calls_of(subprocess.run(words, capture_output=True, text=True, check=True).stdout)
     dumps = Path(options.dumps) if options.dumps else fetch(ROOT / "build/engine_versions")
-    own = read(dumps, BUILT_FOR)
+    own, own_names = read(dumps, BUILT_FOR)
+    calls |= virtual_calls(overridden(ROOT / "extension/godot"), own)
     used = sum(1 for call in calls if "hash" in (find_method(own, *call) or {}))
+    binding = ROOT / "extension/binding"
+    functions = interface.used_names([path.read_text(encoding="utf-8") for path in binding.rglob("*.[ch]pp")])
+    table = json.loads((dumps / "gdextension_interface.json").read_text(encoding="utf-8"))["interface"]
     fails = False
     for version in VERSIONS:
-        missing, changed = compare(calls, own, read(dumps, version))
-        print(f"Godot {version}: {used} methods, {len(missing)} missing, {len(changed)} with another signature")
-        print("".join(f"  missing: {one}\n" for one in missing) + "".join(f"  changed: {one}\n" for one in changed), end="")
-        fails = fails or (float(version) >= float(BUILT_FOR) and bool(missing or changed))
+        other, names = read(dumps, version)
+        missing, changed = compare(calls, own, other)
+        missing += newer_functions(table, functions, version)
+        faults = script_faults(own_names, names)
+        print(f"Godot {version}: {used} methods, {len(functions)} functions, {len(missing)} missing, {len(changed)} with another signature; "
+              f"{len(faults)} scripts with missing names")
+        lines = [f"missing: {one}" for one in missing] + [f"changed: {one}" for one in changed]
+        lines += [f"{file}: {', '.join(lost)}" for file, lost in faults.items()]
+        print("".join(f"  {line}\n" for line in lines), end="")
+        fails = fails or bool(lines)
     sys.exit(1 if fails else 0)
 
 

@@ -17,7 +17,7 @@ import prose
 
 ROOT = Path(__file__).resolve().parents[1]
 CPP_FOLDERS = ("extension", "tests", "tools")
-GDSCRIPT_FOLDERS = ("addons", "demo_project", "tests")
+GDSCRIPT_FOLDERS = ("addons", "demo_project", "tests", "tools")
 SKIPPED = {".godot", "build", "bin"}
 # C's standard headers and those of the processors.
 C_HEADERS = {"math.h", "stddef.h", "stdint.h", "string.h", "cpuid.h", "emmintrin.h", "immintrin.h", "intrin.h", "arm_neon.h"}

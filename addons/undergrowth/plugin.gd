@@ -6,6 +6,9 @@ extends EditorPlugin
 # Loaded when needed: without the library none of these scripts can be compiled.
 const DOCK_SCENE := "editor/dock.tscn"
 const ICONS := "icons"
+## Where the panel is, by the version of the engine.
+const EDITOR_DOCK := "editor/place/editor_dock.gd"
+const BOTTOM_PANEL := "editor/place/bottom_panel.gd"
 const DOCK_ICON := "icons/PlantFunction.svg"
 const ICON_SCALE := "editor/icon_scale.gd"
 const INSPECTOR := "editor/inspector/undergrowth_inspector.gd"
@@ -31,7 +34,9 @@ const DEFAULT_STEP := 1.0 / 60.0
 ## Off: everything runs on the main thread.
 const WORKERS_SETTING := "undergrowth/simulation/use_worker_threads"
 
-var _dock: EditorDock
+# The panel: editor/dock.gd, and its place in the editor: one of editor/place.
+var _dock: Control
+var _place: RefCounted
 var _inspector: EditorInspectorPlugin
 # Shows errors of refused values in the inspector: editor/inspector/refused_values.gd.
 var _refused_values: RefCounted
@@ -104,16 +109,16 @@ func _exit_tree() -> void:
 	_placeholder.free()  # Only now: they have taken their gizmos from their nodes.
 	EditorInterface.get_resource_previewer().remove_preview_generator(_thumbnails)
 	remove_export_plugin(_export_check)
-	remove_dock(_dock)
-	_dock.queue_free()
+	_place.call(&"remove")
+	_place = null
 	_dock = null
 	_translations.call(&"remove")
 
 
 # Switched on by hand: what is new comes to the front, once.
 func _enable_plugin() -> void:
-	if _dock:
-		_dock.make_visible()
+	if _place:
+		_place.call(&"show")
 
 
 func _handles(object: Object) -> bool:
@@ -171,20 +176,13 @@ func _show_setting(
 
 
 func _add_dock() -> void:
-	var content: Control = (_load(DOCK_SCENE) as PackedScene).instantiate()
-	_dock = EditorDock.new()
-	_dock.set_translation_domain(_translations.get(&"DOMAIN"))
-	_dock.name = "Undergrowth"
-	_dock.title = "Undergrowth"
-	_dock.layout_key = "Undergrowth"
-	_dock.default_slot = EditorDock.DOCK_SLOT_BOTTOM
-	_dock.available_layouts = EditorDock.DOCK_LAYOUT_ALL
+	_dock = (_load(DOCK_SCENE) as PackedScene).instantiate()
+	var place := EDITOR_DOCK if ClassDB.class_exists(&"EditorDock") else BOTTOM_PANEL
+	_place = (_load(place) as GDScript).new()
 	var icon := _folder().path_join(DOCK_ICON)
-	if ResourceLoader.exists(icon):
-		_dock.dock_icon = load(icon)
-	_dock.add_child(content)
-	add_dock(_dock)
-	content.call(&"setup", self)
+	var texture: Texture2D = load(icon) if ResourceLoader.exists(icon) else null
+	_place.call(&"add", self, _dock, _translations.get(&"DOMAIN"), texture)
+	_dock.call(&"setup", self)
 
 
 func _add_helpers() -> void:
@@ -197,9 +195,8 @@ func _add_helpers() -> void:
 	_brush = (_load(BRUSH) as GDScript).new()
 	_brush.call(&"setup", self, _dock_state())
 	_gizmos[GIZMOS.find(FIELD_GIZMOS)].set(&"brush_options", _brush.get(&"options"))
-	var dock := _dock.get_child(0)
-	var accepts := Callable(dock, &"accepts_drag")
-	_drop_areas = _load(DROP_AREA).call(&"add_to_views", accepts, Callable(dock, &"drop"))
+	var accepts := Callable(_dock, &"accepts_drag")
+	_drop_areas = _load(DROP_AREA).call(&"add_to_views", accepts, Callable(_dock, &"drop"))
 	_ground_watch = (_load(GROUND_WATCH) as GDScript).new()
 	_ground_watch.call(&"setup", self)
 	_flat_fields = (_load(FLAT_FIELDS) as GDScript).new()
@@ -224,7 +221,7 @@ func _add_wind() -> void:
 
 # State that all parts share: editor/editor_state.gd.
 func _dock_state() -> RefCounted:
-	return _dock.get_child(0).get(&"state")
+	return _dock.get(&"state")
 
 
 func _add_gizmos() -> void:

@@ -5,6 +5,7 @@ extends "editor_test.gd"
 const PLUGIN := "undergrowth"
 ## Of a drawn field.
 const MIN_PRIMITIVES := 3000
+const BOTTOM_PANEL := "res://addons/undergrowth/editor/place/bottom_panel.gd"
 const LIBRARY := "res://addons/undergrowth/undergrowth.gdextension"
 
 
@@ -37,6 +38,22 @@ func test_nothing_stays_when_switched_off() -> void:
 	await frames(10)
 	check(dock() != null, "the dock is back")
 	check(dock().is_visible_in_tree(), "in front, so that it is found")
+
+
+func test_versions_without_docks_have_the_panel_at_the_bottom() -> void:
+	var plugin := EditorPlugin.new()
+	var place: RefCounted = (load(BOTTOM_PANEL) as GDScript).new()
+	var content := Label.new()
+	place.call(&"add", plugin, content, &"undergrowth", null)
+	check(content.is_inside_tree(), "it is in the editor")
+	check_equal(content.get_translation_domain(), &"undergrowth")
+	place.call(&"show")
+	await frames(2)
+	check(content.is_visible_in_tree(), "it is in front")
+	place.call(&"remove")
+	await frames(2)
+	check(not is_instance_valid(content), "it is gone")
+	plugin.free()
 
 
 func _choose_poppy() -> void:

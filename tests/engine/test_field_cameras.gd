@@ -60,6 +60,27 @@ func test_cameras_of_other_worlds_see_no_plants() -> void:
 	check(field.get_skeletons().size() > 10, "skeletons near cameras of its own world")
 
 
+func test_cameras_that_draw_none_of_its_layers_see_no_plants() -> void:
+	var blind := _add_camera(0.0).get_camera_3d()
+	blind.cull_mask = 1 << 19  # As the picking camera of a terrain.
+	field.view_distance = 40.0
+	await start()
+	check(
+		field.find_plants_in_sphere(Vector3(140, 0, 0), 3.0).size() > 5, "plants near another one"
+	)
+	check_equal(field.find_plants_in_sphere(Vector3.ZERO, 3.0).size(), 0, "plants near it")
+	field.layers = blind.cull_mask
+	for viewport: SubViewport in root.get_children().filter(_is_viewport):
+		if viewport.get_camera_3d() != blind:
+			viewport.get_camera_3d().cull_mask = 1
+	var moved := func() -> bool:
+		return (
+			field.find_plants_in_sphere(Vector3.ZERO, 3.0).size() > 5
+			and field.find_plants_in_sphere(Vector3(140, 0, 0), 3.0).is_empty()
+		)
+	await until(moved, "it is the only one for a field in its layer")
+
+
 func test_plants_near_a_camera_above_the_field_are_stepped_fully() -> void:
 	field.far_distance = 12.0
 	field.wind = PlantWind.new()
@@ -117,6 +138,10 @@ func test_a_body_far_from_all_cameras_pushes_all_plants_in_its_way() -> void:
 			check(moved.has(plant), "the plant at %s is pushed" % at)
 	check(in_way > 5, "%d plants in the way" % in_way)
 	walker.free()
+
+
+func _is_viewport(node: Node) -> bool:
+	return node is SubViewport
 
 
 func _ids_near(x: float) -> PackedInt64Array:

@@ -70,7 +70,7 @@ func _make_project() -> bool:
 	_write(
 		folder.path_join("undergrowth.gdextension"),
 		(
-			'[configuration]\nentry_symbol = "undergrowth_init"\ncompatibility_minimum = "4.6"\n'
+			'[configuration]\nentry_symbol = "undergrowth_init"\ncompatibility_minimum = "4.5"\n'
 			+ 'reloadable = true\n[libraries]\n%s = "%s"\n' % [OS.get_name().to_lower(), copy]
 		)
 	)

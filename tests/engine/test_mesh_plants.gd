@@ -102,6 +102,24 @@ func test_levels_are_those_of_the_file_or_of_the_import() -> void:
 	check(tuft.size() == 5 and tuft[-1] < tuft[0] / 8, "levels of blades %s" % tuft)
 
 
+func test_levels_of_a_mesh_are_those_of_its_surfaces() -> void:
+	for side: int in [20, 260]:  # The renderer has indices of 16 bits, then of 32.
+		var plane := PlaneMesh.new()
+		plane.subdivide_width = side
+		plane.subdivide_depth = side
+		var arrays := plane.get_mesh_arrays()
+		var indices: PackedInt32Array = arrays[Mesh.ARRAY_INDEX]
+		var last := indices.slice(indices.size() - 30)
+		var mesh := ArrayMesh.new()
+		mesh.add_surface_from_arrays(
+			Mesh.PRIMITIVE_TRIANGLES, arrays, [], {0.01: indices.slice(0, 120), 0.5: last}
+		)
+		var triangles: PackedInt32Array = _found(mesh).triangles
+		check_equal(triangles, PackedInt32Array([indices.size() / 3, 40, 10]))
+		var baked := MeshPlantFunction.of(mesh).generate_mesh(0.0, 1)
+		check_equal(baked.get_aabb().size.x > 0.0, true, "the last level has its vertices")
+
+
 func test_coarse_levels_have_no_vertices_that_are_not_drawn() -> void:
 	var species := MeshPlantFunction.of(Files.tree(200).mesh())
 	var fine := species.generate_mesh(0.0, 12)

@@ -23,7 +23,7 @@ config/name="Undergrowth's tests"
 RECORDED = """[configuration]
 
 entry_symbol = "recorded_init"
-compatibility_minimum = "4.6"
+compatibility_minimum = "4.5"
 
 [libraries]
 

@@ -45,6 +45,21 @@ class EngineVersions(unittest.TestCase):
         newer = dump(Node=("Object", {"set_name": (9, [7])}))
         self.assertEqual(engine_versions.compare({("Node", "set_name")}, OWN, newer), ([], []))
 
+    def test_virtual_methods_with_overrides_are_compared(self):
+        own = {"Node": {"methods": [{"name": "_process", "hash": 1, "is_virtual": True}, {"name": "_draw", "is_virtual": True},
+                                    {"name": "get_name", "hash": 2, "is_virtual": False}]}}
+        self.assertEqual(engine_versions.virtual_calls({"_process", "get_name"}, own), {("Node", "_process")})
+        self.assertIn("_get_aabb", engine_versions.overridden(engine_versions.ROOT / "extension/godot"))
+
+    def test_functions_of_a_newer_interface_are_named(self):
+        table = [{"name": "a", "since": "4.5"}, {"name": "b", "since": "4.6"}, {"name": "c", "since": "4.10"}]
+        self.assertEqual(engine_versions.newer_functions(table, {"a", "c"}, "4.6"), ["c"])
+        self.assertEqual(engine_versions.newer_functions(table, {"a", "b"}, "4.5"), ["b"])
+
+    def test_the_add_on_states_the_oldest_version(self):
+        text = (engine_versions.ADD_ON / "undergrowth.gdextension").read_text(encoding="utf-8")
+        self.assertIn(f'compatibility_minimum = "{engine_versions.VERSIONS[0]}"', text)
+
 
 if __name__ == "__main__":
     unittest.main()

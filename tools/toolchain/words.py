@@ -11,9 +11,9 @@ from .place import Missing, ROOT, TOOLCHAIN, environment_with, say
 
 # Words that neither compile nor start Godot.
 LIGHT_WORDS = {"lint"}
-PICTURE_WORDS = {"demo", "guide"}
+PICTURE_WORDS = {"demo", "guide", "store"}
 PLOT_WORDS = {"bench"}
-DRAWING_WORDS = {"demo", "guide", "test", "bench"}
+DRAWING_WORDS = {"demo", "guide", "store", "test", "bench", "bench_scene"}
 # Suites of `test` that need no engine.
 CORE_SUITES = {"tools", "core", "asan", "tsan", "species"}
 

@@ -18,8 +18,9 @@ void FieldMonitors::add(Object *reader) {
 	for (int i = 0; i < MONITORS; i++) {
 		Array arguments;
 		arguments.push_back(i);
-		Performance::get_singleton()->add_custom_monitor(
-				MONITOR_NAMES[i], Callable(reader, "_on_monitor_read"), arguments);
+		// By name: its signature is another one in Godot 4.5.
+		Performance::get_singleton()->call(
+				"add_custom_monitor", MONITOR_NAMES[i], Callable(reader, "_on_monitor_read"), arguments);
 	}
 }
 

@@ -109,7 +109,7 @@ SeenDistances FieldRuntime::seen_distances(const Transform3D &axes) {
 	const Vector3 scale = axes.basis.get_scale().abs();
 	const float radius = MARGIN + 0.5f * seen_box.size.length() * std::max({ scale.x, scale.y, scale.z });
 	const Vector3 reach(radius, radius, radius);
-	return find_seen_distances(node->get_tree(), world, AABB(axes.xform(seen_box.get_center()) - reach, 2.0f * reach));
+	return find_seen_distances(node, world, AABB(axes.xform(seen_box.get_center()) - reach, 2.0f * reach));
 }
 
 void FieldRuntime::refresh() {

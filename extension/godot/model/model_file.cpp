@@ -3,11 +3,13 @@
 #include "base/messages.hpp"
 #include "model/surface_arrays.hpp"
 
+#include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/importer_mesh.hpp>
 #include <godot_cpp/classes/mesh_instance3d.hpp>
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/packed_scene.hpp>
+#include <godot_cpp/classes/rendering_server.hpp>
 #include <godot_cpp/classes/shader.hpp>
 #include <godot_cpp/classes/shader_material.hpp>
 
@@ -22,6 +24,7 @@ namespace undergrowth {
 static constexpr float MERGE_ANGLE = 60.0f;
 static constexpr float SPLIT_ANGLE = 25.0f;
 static constexpr int MAX_LEVEL = 9; // `_LOD9`.
+static constexpr int64_t MAX_SHORT_VERTICES = 65536; // Of a surface with indices of 16 bits.
 static constexpr int64_t MIN_TRIANGLES = 32; // Smaller meshes have no levels.
 
 static bool names_leaves(const String &name) {
@@ -113,8 +116,44 @@ static Ref<Material> material_of(const Found &found, const Ref<ImporterMesh> &me
 	return own.is_valid() ? own : mesh->get_surface_material(surface);
 }
 
+// The levels of a surface as the renderer has them: {edge length: indices}, of 16 bits where they suffice.
+static Dictionary levels_of(const Dictionary &surface) {
+	const bool is_short = int64_t(surface["vertex_count"]) <= MAX_SHORT_VERTICES;
+	const Array levels = surface.get("lods", Array());
+	Dictionary found;
+	for (int64_t i = 0; i < levels.size(); i++) {
+		const Dictionary level = levels[i];
+		const PackedByteArray bytes = level["index_data"];
+		PackedInt32Array indices;
+		indices.resize(bytes.size() / (is_short ? 2 : 4));
+		int32_t *to = indices.ptrw();
+		for (int64_t k = 0; k < indices.size(); k++) {
+			to[k] = int32_t(is_short ? bytes.decode_u16(2 * k) : bytes.decode_u32(4 * k));
+		}
+		found[level["edge_length"]] = indices;
+	}
+	return found;
+}
+
+// As ImporterMesh::from_mesh(), which Godot 4.5 does not have.
+static Ref<ImporterMesh> imported(const Ref<Mesh> &mesh) {
+	Ref<ImporterMesh> made;
+	if (mesh.is_null()) {
+		return made;
+	}
+	made.instantiate();
+	const Ref<ArrayMesh> own = mesh;
+	for (int i = 0; i < mesh->get_surface_count(); i++) {
+		const Dictionary surface = RenderingServer::get_singleton()->mesh_get_surface(mesh->get_rid(), i);
+		made->add_surface(Mesh::PrimitiveType(int64_t(surface["primitive"])), mesh->surface_get_arrays(i),
+				TypedArray<Array>(), levels_of(surface), mesh->surface_get_material(i),
+				own.is_valid() ? own->surface_get_name(i) : String());
+	}
+	return made;
+}
+
 static void read_mesh(const Found &found, FileModel &model) {
-	const Ref<ImporterMesh> mesh = ImporterMesh::from_mesh(found.mesh);
+	const Ref<ImporterMesh> mesh = imported(found.mesh);
 	if (mesh.is_null()) {
 		return;
 	}

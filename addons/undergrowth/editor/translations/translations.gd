@@ -20,9 +20,11 @@ static func add() -> void:
 		if file.get_extension() == FILE_TYPE:
 			domain.add_translation(load(_folder().path_join(file)) as Translation)
 	domain.set_locale_override(_choose_locale(domain))
-	# Controls of the editor inside those of the add-on use the editor's texts.
-	for translation in TranslationServer.get_or_add_domain(EDITOR_DOMAIN).get_translations():
-		domain.add_translation(translation)
+	# Controls of the editor inside those of the add-on use the editor's texts (not in Godot 4.5).
+	var of_editor := TranslationServer.get_or_add_domain(EDITOR_DOMAIN)
+	if of_editor.has_method(&"get_translations"):
+		for translation: Translation in of_editor.call(&"get_translations"):
+			domain.add_translation(translation)
 
 
 ## Removes all of it.
@@ -40,9 +42,9 @@ static func text(message: String) -> String:
 static func _choose_locale(domain: TranslationDomain) -> String:
 	var wanted: String = EditorInterface.get_editor_settings().get_setting(LANGUAGE_SETTING)
 	var system := OS.get_locale()
-	if wanted == AUTO and domain.has_translation_for_locale(system, false):
+	if wanted == AUTO and domain.get_translation_object(system):
 		return system
-	return EditorInterface.get_editor_language()
+	return TranslationServer.get_tool_locale()
 
 
 static func _folder() -> String:

@@ -4,6 +4,7 @@ extends HBoxContainer
 ## work with a cancel button.
 
 const EditorState := preload("../editor_state.gd")
+const Front := preload("../place/front.gd")
 const ICONS: Dictionary[int, StringName] = {
 	EditorState.Severity.INFO: &"NodeInfo",
 	EditorState.Severity.WARNING: &"StatusWarning",
@@ -93,11 +94,7 @@ func _offer_file(path: String) -> void:
 
 func _on_show_file_pressed() -> void:
 	var files := EditorInterface.get_file_system_dock()
-	var dock: Node = files
-	while dock and dock is not EditorDock:
-		dock = dock.get_parent()
-	if dock:
-		(dock as EditorDock).make_visible()
+	Front.bring(files)
 	files.navigate_to_path(_file)
 
 

@@ -7,6 +7,8 @@
 #include "field/view/field_view.hpp"
 #include "placement/tile_queue.hpp"
 
+#include <godot_cpp/classes/geometry_instance3d.hpp>
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,7 +28,7 @@ public:
 
 	/// Inputs of one call, and the functions that receive results.
 	struct Scene {
-		godot::Node3D *field;
+		godot::GeometryInstance3D *field;
 		const FieldProperties &properties;
 		const PlantStore &store;
 		const FieldRenderSetup &setup;

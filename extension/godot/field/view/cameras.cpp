@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/compositor.hpp>
 #include <godot_cpp/classes/compositor_effect.hpp>
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/scene_tree.hpp>
 #include <godot_cpp/classes/viewport.hpp>
 #include <godot_cpp/classes/world3d.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
@@ -23,7 +24,10 @@ namespace undergrowth {
 /// A camera of any world.
 struct WorldCamera {
 	uint64_t world = 0; ///< Instance id.
+	uint32_t layers = 0; ///< Render layers that it draws.
 	DrawingCamera camera;
+
+	bool draws(uint64_t in_world, uint32_t in_layers) const { return world == in_world && (layers & in_layers) != 0; }
 };
 
 static bool has_effects_with_vectors(const Ref<Compositor> &compositor) {
@@ -98,24 +102,25 @@ static std::vector<WorldCamera> find_cameras(SceneTree *tree) {
 		const Viewport *viewport = Object::cast_to<Viewport>(viewports[i]);
 		const Camera3D *camera = viewport ? viewport->get_camera_3d() : nullptr;
 		if (camera && camera->get_global_position().is_finite()) {
-			cameras.push_back({ world_of(camera), describe_camera(viewport, camera) });
+			cameras.push_back({ world_of(camera), camera->get_cull_mask(), describe_camera(viewport, camera) });
 		}
 	}
 	return cameras;
 }
 
-static std::vector<DrawingCamera> cameras_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+static std::vector<DrawingCamera> cameras_in(const VisualInstance3D *node, const std::vector<WorldCamera> &cameras) {
 	const uint64_t world = world_of(node);
+	const uint32_t layers = node->get_layer_mask();
 	std::vector<DrawingCamera> positions;
 	for (const WorldCamera &camera : cameras) {
-		if (camera.world == world) {
+		if (camera.draws(world, layers)) {
 			positions.push_back(camera.camera);
 		}
 	}
 	return positions;
 }
 
-static std::vector<Vector3> places_in(const Node3D *node, const std::vector<WorldCamera> &cameras) {
+static std::vector<Vector3> places_in(const VisualInstance3D *node, const std::vector<WorldCamera> &cameras) {
 	std::vector<Vector3> places;
 	for (const DrawingCamera &position : cameras_in(node, cameras)) {
 		places.push_back(position.place);
@@ -123,7 +128,7 @@ static std::vector<Vector3> places_in(const Node3D *node, const std::vector<Worl
 	return places;
 }
 
-std::vector<Vector3> find_camera_positions(const Node3D *node) {
+std::vector<Vector3> find_camera_positions(const VisualInstance3D *node) {
 	return places_in(node, find_cameras(node->get_tree()));
 }
 
@@ -144,18 +149,19 @@ private:
 	std::vector<WorldCamera> cameras;
 };
 
-std::vector<DrawingCamera> find_drawing_cameras(const Node3D *node) {
+std::vector<DrawingCamera> find_drawing_cameras(const VisualInstance3D *node) {
 	static FrameCameras drawn;
 	return cameras_in(node, drawn.now(node->get_tree()));
 }
 
-SeenDistances find_seen_distances(SceneTree *tree, uint64_t world, const AABB &box) {
+SeenDistances find_seen_distances(const VisualInstance3D *node, uint64_t world, const AABB &box) {
 	static FrameCameras of_frame;
 	SeenDistances seen;
 	const float radius = 0.5f * box.size.length();
 	bool is_first = true;
-	for (const WorldCamera &camera : of_frame.now(tree)) {
-		if (camera.world == world) {
+	const uint32_t layers = node->get_layer_mask();
+	for (const WorldCamera &camera : of_frame.now(node->get_tree())) {
+		if (camera.draws(world, layers)) {
 			const float middle = camera.camera.place.distance_to(box.get_center());
 			seen.nearest = is_first ? middle - radius : std::min(seen.nearest, middle - radius);
 			seen.farthest = is_first ? middle + radius : std::max(seen.farthest, middle + radius);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <godot_cpp/classes/node3d.hpp>
-#include <godot_cpp/classes/scene_tree.hpp>
+#include <godot_cpp/classes/visual_instance3d.hpp>
 #include <godot_cpp/variant/aabb.hpp>
 
 #include <cstdint>
@@ -10,9 +9,9 @@
 
 namespace undergrowth {
 
-/// Returns the positions of all cameras in the world of a node: those of the screen and of all other viewports. Skips
-/// cameras with a position that is not finite. The node must be in a tree.
-std::vector<godot::Vector3> find_camera_positions(const godot::Node3D *node);
+/// Returns the positions of all cameras in the world of a node that draw one of its render layers: those of the screen
+/// and of all other viewports. Skips cameras with a position that is not finite. The node must be in a tree.
+std::vector<godot::Vector3> find_camera_positions(const godot::VisualInstance3D *node);
 
 /// A camera that draws plants.
 struct DrawingCamera {
@@ -25,7 +24,7 @@ struct DrawingCamera {
 };
 
 /// The same at the moment of drawing, after all nodes have processed the frame. All fields share one look-up per frame.
-std::vector<DrawingCamera> find_drawing_cameras(const godot::Node3D *node);
+std::vector<DrawingCamera> find_drawing_cameras(const godot::VisualInstance3D *node);
 
 /// Smallest and largest distance from a camera (m). Without cameras: every distance.
 struct SeenDistances {
@@ -33,8 +32,8 @@ struct SeenDistances {
 	float farthest = std::numeric_limits<float>::max();
 };
 
-/// Returns the distances between the cameras of this frame and a box in the world with the instance id `world`. `tree`:
-/// that of the cameras. All fields share one look-up per frame.
-SeenDistances find_seen_distances(godot::SceneTree *tree, uint64_t world, const godot::AABB &box);
+/// Returns the distances between a box in the world with the instance id `world` and the cameras of this frame that
+/// draw one of the node's render layers. All fields share one look-up per frame.
+SeenDistances find_seen_distances(const godot::VisualInstance3D *node, uint64_t world, const godot::AABB &box);
 
 } // namespace undergrowth
