@@ -59,6 +59,10 @@ static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
 static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
 static constexpr float MAX_COARSENING = 64.0f;
 static constexpr float COARSENED_FROM = 1.5f; // m.
+// Maximum for a last level whose bodies have an error of this share of the height:
+static constexpr float LUMP = 0.4f;
+static constexpr float MIN_LUMP = 0.1f; // m.
+static constexpr float MAX_COARSENING_OF_LUMPS = 3.0f;
 // Beyond it, the nearest plants of a dense field have cards, too.
 static constexpr float MAX_COARSENING_OF_SOLID = 2.0f;
 
@@ -105,6 +109,12 @@ static std::vector<float> errors_of_first(const SpeciesStyle &style, bool is_sol
 	return errors;
 }
 
+// True for a last level of bodies that are as coarse as the plant, as of a tuft of many heads.
+static bool is_lump(const SpeciesStyle &style, size_t level) {
+	return level + 1 == style.errors.size() && style.have_bodies[level] &&
+			style.errors[level] > std::max(LUMP * style.mean_height(), MIN_LUMP);
+}
+
 // Begins of all levels (m), ascending. From COARSENED_FROM on the error may be `coarser` times as large: equal errors
 // at all distances are the smallest ones for a number of triangles. Nearer plants are few, and keep more of their
 // forms.
@@ -117,7 +127,8 @@ static std::vector<float> begins_of(const FieldRenderSetup &setup, const Species
 		const float own = has_error
 				? style.errors[i] * style.mean_scale * PIXELS_OF_RADIAN * float(style.detail) / rule.pixel_error
 				: lathe_begin(setup.levels[i].lod);
-		const float factor = 1.0f + (coarser - 1.0f) * std::min(own / COARSENED_FROM, 1.0f);
+		const float most = is_lump(style, i) ? std::min(coarser, MAX_COARSENING_OF_LUMPS) : coarser;
+		const float factor = 1.0f + (most - 1.0f) * std::min(own / COARSENED_FROM, 1.0f);
 		const bool is_carded = is_first_solid && style.are_carded[i];
 		const float least = is_carded ? begin_of_cards(rule, style) : begin_of_bodies(setup, style, i);
 		begins.push_back(i == 0 ? 0.0f : std::max(own / factor, least) * rule.lod_bias);
