@@ -221,6 +221,16 @@ SurfaceHit SurfaceGrid::crossing(const glm::vec3 &from, const glm::vec3 &to) con
 	return found;
 }
 
+bool first_on_ray(const ClimbSupport &support, const glm::vec3 &from, const glm::vec3 &direction, glm::vec3 &place) {
+	constexpr float FARTHEST = 1e4f; // Lengths of the direction.
+	float least = 1.0f;
+	for (int i = 0; i < support.triangles(); i++) {
+		least = std::min(least, share_to(&support.corners[3 * static_cast<std::size_t>(i)], from, direction * FARTHEST));
+	}
+	place = from + direction * (FARTHEST * least);
+	return least < 1.0f;
+}
+
 glm::vec3 SurfaceGrid::normal_of(int triangle) const {
 	return glm::normalize(doubled_area(corners_of(triangle)));
 }

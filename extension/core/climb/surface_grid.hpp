@@ -59,4 +59,7 @@ private:
 	template <class Visit> void visit_triangles(const Box &box, const Visit &visit) const;
 };
 
+/// Sets `place` to the first point of a support on a ray. Returns false if there is none. Tests all triangles.
+bool first_on_ray(const ClimbSupport &support, const glm::vec3 &from, const glm::vec3 &direction, glm::vec3 &place);
+
 } // namespace undergrowth

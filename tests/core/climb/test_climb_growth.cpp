@@ -1,6 +1,7 @@
 #include "../golden.hpp"
 
 #include "climb/climb_growth.hpp"
+#include "climb/surface_grid.hpp"
 
 #include <doctest/doctest.h>
 
@@ -242,4 +243,13 @@ TEST_CASE("invalid input of a climber gives one error and no plant") {
 	settings = settings_of(13);
 	settings.path = { { std::numeric_limits<float>::infinity(), 0.0f, 0.0f } };
 	CHECK(fault_of(wall_of(2.0f, 2.0f), settings).find("path") == 0);
+}
+
+TEST_CASE("a ray finds the first surface") {
+	ClimbSupport box;
+	add_box(box, { -1.0f, 0.0f, -1.0f }, { 1.0f, 2.0f, 0.0f });
+	glm::vec3 place(0.0f);
+	REQUIRE(first_on_ray(box, { 0.3f, 0.5f, 4.0f }, { 0.0f, 0.0f, -1.0f }, place));
+	CHECK(glm::distance(place, glm::vec3(0.3f, 0.5f, 0.0f)) < 1e-4f);
+	CHECK_FALSE(first_on_ray(box, { 0.3f, 0.5f, 4.0f }, { 0.0f, 0.0f, 1.0f }, place));
 }
