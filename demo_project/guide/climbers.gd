@@ -13,7 +13,7 @@ func _fill(row: HBoxContainer) -> void:
 		[Vector3(0.2, 1.2, 0.0), Vector3(1.2, 1.75, 0.0), Vector3(2.6, 1.7, 0.0)]
 	)
 	_add_wall(row, "along a path", Vector3(0.6, 1.7, 4.4), Vector3(0.1, 1.3, 0.0), 40.0, path)
-	_add_wall(row, "leaves", Vector3(0.35, 0.95, 0.95), Vector3(0.1, 1.0, 0.0), 40.0, [])
+	_add_wall(row, "leaves", Vector3(0.2, 0.95, 0.85), Vector3(0.0, 1.0, 0.0), 40.0, [])
 
 
 func _add_wall(
@@ -38,7 +38,7 @@ func _add_wall(
 	ivy.position = Vector3(0.0 if path.is_empty() else -1.4, -0.5 * WALL.y, 0.5 * WALL.z)
 	ivy.seed = 3
 	ivy.path = path
-	ivy.shoots = 4 if path.is_empty() else 2
+	ivy.shoots = 5 if path.is_empty() else 2
 	ivy.length = 2.8 if path.is_empty() else 5.0
-	ivy.branching = 5.0
+	ivy.branching = 6.0
 	wall.add_child(ivy)

@@ -150,7 +150,7 @@ func test_the_path_leads_it() -> void:
 func test_a_part_moves_as_a_plant_at_its_place() -> void:
 	_climber.wind = PlantWind.new()
 	_climber.wind.kind = PlantWind.KIND_CONSTANT
-	_climber.wind.strength = 0.004
+	_climber.wind.strength = 0.4
 	_climber.wind.direction = PI / 2.0
 	await _grow_on_wall()
 	var leaf := 30
@@ -199,7 +199,6 @@ func test_invalid_input_gives_one_error_and_leaves_the_plant() -> void:
 	await frames(3)
 	check_error("supports[0]")
 	check(_climber.get_leaf_count() == count, "the plant stays")
-	check_equal(_climber._get_configuration_warnings().size(), 1, "warnings")
 	_climber.supports = []
 	_climber.position.z = 8.0
 	_climber.rebuild()
@@ -215,6 +214,7 @@ func test_it_may_be_freed_while_it_grows() -> void:
 	_climber.branching = 8.0
 	_wall.add_child(_climber)
 	await frames(2)
+	check(_climber.is_growing() or not OS.has_feature("threads"), "it grows")
 	_climber.free()
 	await frames(2)
 

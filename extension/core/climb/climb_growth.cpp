@@ -19,11 +19,12 @@ namespace {
 constexpr int MAX_ORDER = 4;
 constexpr float MAX_ROOT_DISTANCE = 1.0f; // m, from the root to the support; more with a larger adhesion distance.
 constexpr float MIN_BRANCH = 0.08f; // m; shorter branches do not grow.
-constexpr float FAN = 1.2f; // rad, between the outer main shoots.
-constexpr float MIN_FORK = 0.5f; // rad, between a branch and its parent,
-constexpr float MAX_FORK = 1.15f;
+constexpr float FAN = 1.6f; // rad, between the outer main shoots.
+constexpr float MIN_FORK = 0.6f; // rad, between a branch and its parent,
+constexpr float MAX_FORK = 1.4f;
 constexpr float MIN_RADIUS = 0.0008f; // m.
-constexpr int CROWD = 2; // Shoots in a cell of the stem spacing.
+constexpr int CROWD = 4; // Shoots in a cell of the stem spacing.
+constexpr float FREE = 4.0f; // Stem spacings that a branch grows among others.
 
 glm::vec3 rotated(const glm::vec3 &v, const glm::vec3 &axis, float angle) {
 	const SineAndCosine turn = portable_sine_and_cosine(static_cast<double>(angle));
@@ -136,7 +137,7 @@ private:
 		points++;
 		const GrowingShoot &shoot = growing[index];
 		const int others = crowding.enter(shoot.tip().place, number);
-		if (shoot.is.order > 0 && others >= CROWD && shoot.tip().is_attached && shoot.length > settings.stem_spacing) {
+		if (shoot.is.order > 0 && others >= CROWD && shoot.tip().is_attached && shoot.length > FREE * settings.stem_spacing) {
 			growing[index].is_over = true;
 		}
 		if (!growing[index].is_over) {

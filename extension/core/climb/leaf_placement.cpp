@@ -15,8 +15,8 @@ namespace undergrowth {
 
 namespace {
 
-constexpr float YOUNG_LENGTH = 0.5f; // m, from the tip of a shoot, on which leaves still grow.
-constexpr float YOUNG_SIZE = 0.3f; // Of the last leaf.
+constexpr float YOUNG_LENGTH = 0.3f; // m, from the tip of a shoot, on which leaves still grow.
+constexpr float YOUNG_SIZE = 0.35f; // Of the last leaf.
 constexpr float SIDE = 0.55f; // Of a leaf's direction: to the side of its shoot,
 constexpr float AHEAD = 0.25f; // along the shoot,
 constexpr float CHANCE = 0.35f; // and at random, beside 1 for down.
@@ -61,7 +61,7 @@ private:
 		const float grown = std::min(to_tip / YOUNG_LENGTH, 1.0f);
 		ClimbLeaf leaf;
 		leaf.age = grown * grown * (3.0f - 2.0f * grown);
-		leaf.size = (YOUNG_SIZE + (1.0f - YOUNG_SIZE) * leaf.age) * (1.0f + 0.3f * signed_noise(seed, 0));
+		leaf.size = (YOUNG_SIZE + (1.0f - YOUNG_SIZE) * leaf.age) * (1.0f + 0.35f * signed_noise(seed, 0));
 		leaf.phase = 0.5f + 0.5f * signed_noise(seed, 1);
 		leaf.body = after.body;
 		const glm::vec3 normal = glm::normalize(glm::mix(before.normal, after.normal, share) + 1e-3f * after.normal);

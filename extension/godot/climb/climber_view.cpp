@@ -20,6 +20,7 @@ static const char *const INCLUDE_NAME = "undergrowth_climb.gdshaderinc";
 // patches, which depend on the position seen from above.
 static void set_defaults(const Ref<ShaderMaterial> &material) {
 	material->set_shader_parameter("base_tone", 0.7f);
+	material->set_shader_parameter("surface_detail", 0.45f);
 	material->set_shader_parameter("patchiness", 0.0f);
 	material->set_shader_parameter("clumpiness", 0.25f);
 	material->set_shader_parameter("dead_leaves", 0.0f);
