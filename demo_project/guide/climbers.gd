@@ -13,7 +13,7 @@ func _fill(row: HBoxContainer) -> void:
 		[Vector3(0.2, 1.2, 0.0), Vector3(1.2, 1.75, 0.0), Vector3(2.6, 1.7, 0.0)]
 	)
 	_add_wall(row, "along a path", Vector3(0.6, 1.7, 4.4), Vector3(0.1, 1.3, 0.0), 40.0, path)
-	_add_wall(row, "leaves", Vector3(0.2, 0.95, 0.85), Vector3(0.0, 1.0, 0.0), 40.0, [])
+	_add_wall(row, "leaves", Vector3(0.15, 0.98, 0.6), Vector3(0.02, 1.0, 0.0), 40.0, [])
 
 
 func _add_wall(

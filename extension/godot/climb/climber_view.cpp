@@ -20,14 +20,14 @@ static const char *const INCLUDE_NAME = "undergrowth_climb.gdshaderinc";
 // patches, which depend on the position seen from above.
 static void set_defaults(const Ref<ShaderMaterial> &material) {
 	material->set_shader_parameter("base_tone", 0.7f);
-	material->set_shader_parameter("surface_detail", 0.45f);
+	material->set_shader_parameter("surface_detail", 0.8f);
 	material->set_shader_parameter("patchiness", 0.0f);
 	material->set_shader_parameter("clumpiness", 0.25f);
 	material->set_shader_parameter("dead_leaves", 0.0f);
 	material->set_shader_parameter("crown_shares", Vector2(0.0f, 0.35f));
 	material->set_shader_parameter("crown_far", 40.0f);
-	material->set_shader_parameter("roughness", 0.5f);
-	material->set_shader_parameter("specular", 0.35f);
+	material->set_shader_parameter("roughness", 0.6f);
+	material->set_shader_parameter("specular", 0.2f);
 	material->set_shader_parameter("far_openness", 0.85f);
 	material->set_shader_parameter("shadow_bias", 0.01f);
 }
