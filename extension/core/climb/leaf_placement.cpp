@@ -69,7 +69,7 @@ private:
 		const float lift = LIFT * leaf.size * (0.5f + 0.5f * signed_noise(seed, 2));
 		leaf.place = glm::mix(before.place, after.place, share) + normal * lift;
 		turn(leaf, normal, along, (number & 1) == 0 ? 1.0f : -1.0f, seed);
-		if (find_room(leaf, normal)) {
+		if (find_room(leaf)) {
 			climb.leaves.push_back(leaf);
 		}
 	}
@@ -84,18 +84,18 @@ private:
 		leaf.down = along_surface(leaf.down, leaf.out);
 	}
 
-	bool is_free(const ClimbLeaf &leaf, const glm::vec3 &normal) const {
+	bool is_free(const ClimbLeaf &leaf) const {
 		const float reach = settings.leaf_reach * leaf.size;
 		const glm::vec3 side = glm::cross(leaf.out, leaf.down) * (0.5f * reach);
-		const glm::vec3 raised = leaf.place + normal * (CLEAR * reach);
+		const glm::vec3 raised = leaf.place + leaf.out * (CLEAR * reach);
 		const glm::vec3 tip = raised + leaf.down * reach;
 		const glm::vec3 middle = raised + leaf.down * (0.6f * reach);
 		const auto is_hit = [&](const glm::vec3 &to) { return grid.crossing(leaf.place, to).is_valid(); };
 		return !is_hit(tip) && !is_hit(middle + side) && !is_hit(middle - side);
 	}
 
-	/// Turns a leaf about the surface's normal until it is free.
-	bool find_room(ClimbLeaf &leaf, const glm::vec3 &normal) const {
+	/// Turns a leaf about its stalk until it is free.
+	bool find_room(ClimbLeaf &leaf) const {
 		constexpr int TURNS = 6;
 		const glm::vec3 first = leaf.down;
 		for (int i = 0; i < TURNS; i++) {
@@ -103,7 +103,7 @@ private:
 			const SineAndCosine turn = portable_sine_and_cosine(static_cast<double>(turns) * (PI / 3.0));
 			const glm::vec3 aside = glm::cross(leaf.out, first);
 			leaf.down = first * static_cast<float>(turn.cosine) + aside * static_cast<float>(turn.sine);
-			if (is_free(leaf, normal)) {
+			if (is_free(leaf)) {
 				return true;
 			}
 		}

@@ -17,6 +17,7 @@ constexpr float TURNING_LENGTH = 0.3f; // m, over which weights of 1 turn a shoo
 constexpr float PATH_WEIGHT = 4.0f;
 constexpr float PATH_NEAR = 0.15f; // m, at which a shoot has reached a point of the path,
 constexpr float PATH_SEEN = 6.0f; // and steps within which it is reached at the latest.
+constexpr float OVERHANG = 0.35f; // Sine of the slope from which a shoot lets go at an edge.
 constexpr float TO_SURFACE = 0.7f; // Approach, in steps.
 
 } // namespace
@@ -98,6 +99,14 @@ bool ShootStep::meet(
 	return true;
 }
 
+/// True at the edge of a surface that faces down: the shoot hangs from there, unless a path leads it on.
+bool ShootStep::lets_go(const GrowingShoot &shoot, const glm::vec3 &out) const {
+	const ClimbPoint &tip = shoot.tip();
+	const bool is_led = shoot.is.order == 0 && shoot.next_on_path < static_cast<int>(settings.path.size());
+	const bool was_below = tip.is_attached && glm::dot(tip.normal, settings.down) > OVERHANG;
+	return glm::dot(out, settings.down) > OVERHANG && !was_below && !is_led && settings.max_hanging > 0.0f;
+}
+
 /// True if a surface is within the adhesion distance. Moves the point towards it.
 bool ShootStep::approach(
 		const GrowingShoot &shoot, const glm::vec3 &to, ClimbPoint &next, const ClimbSupport &support) const {
@@ -114,6 +123,9 @@ bool ShootStep::approach(
 	} else {
 		out = grid.normal_of(hit.triangle);
 		out = glm::dot(out, shoot.tip().normal) < 0.0f ? -out : out;
+	}
+	if (lets_go(shoot, out)) {
+		return false;
 	}
 	const float left = std::max(hit.distance - GAP - TO_SURFACE * length(), 0.0f);
 	next.place = hit.point + out * (GAP + left);

@@ -46,6 +46,7 @@ private:
 
 	glm::vec3 steer(GrowingShoot &shoot) const;
 	glm::vec3 way_to_path(GrowingShoot &shoot) const;
+	bool lets_go(const GrowingShoot &shoot, const glm::vec3 &out) const;
 	bool meet(const GrowingShoot &shoot, const glm::vec3 &to, ClimbPoint &next, const ClimbSupport &support) const;
 	bool approach(const GrowingShoot &shoot, const glm::vec3 &to, ClimbPoint &next, const ClimbSupport &support) const;
 };

@@ -16,11 +16,11 @@ inline void add_quad(ClimbSupport &support, const glm::vec3 &a, const glm::vec3 
 	support.bodies.insert(support.bodies.end(), { body, body });
 }
 
-/// A wall in the plane z = 0 that faces +z.
+/// A wall in the plane z = 0 that faces +z, as high below y = 0 as above.
 inline ClimbSupport wall_of(float width, float height) {
 	ClimbSupport support;
 	const float x = 0.5f * width;
-	add_quad(support, { -x, 0.0f, 0.0f }, { -x, height, 0.0f }, { x, height, 0.0f }, { x, 0.0f, 0.0f });
+	add_quad(support, { -x, -height, 0.0f }, { -x, height, 0.0f }, { x, height, 0.0f }, { x, -height, 0.0f });
 	return support;
 }
 

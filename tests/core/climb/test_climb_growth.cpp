@@ -72,6 +72,7 @@ TEST_CASE("a climber grows on the side of a wall on which its root is, for both 
 TEST_CASE("a climber stays on a sphere") {
 	ClimbSettings settings = settings_of(2);
 	settings.root = { 0.0f, -0.9f, 0.5f };
+	settings.max_hanging = 0.0f;
 	const Climb climb = grown_on(sphere_of(1.0f), settings);
 	REQUIRE(climb.points.size() > 500);
 	const auto apart = [](const glm::vec3 &place) { return std::fabs(glm::length(place) - 1.0f); };
@@ -148,7 +149,6 @@ TEST_CASE("main shoots follow a path") {
 
 TEST_CASE("a shoot without support hangs down and ends") {
 	ClimbSettings settings = settings_of(7);
-	settings.root = { 0.0f, 0.9f, 0.01f };
 	settings.shoots = 1;
 	settings.branching = 0.0f;
 	settings.max_hanging = 0.5f;
@@ -156,8 +156,8 @@ TEST_CASE("a shoot without support hangs down and ends") {
 	ClimbSupport shelf; // An open sheet of which the shoot grows off the edge.
 	add_quad(shelf, { -1.0f, 1.0f, 0.0f }, { 1.0f, 1.0f, 0.0f }, { 1.0f, 1.0f, 0.4f }, { -1.0f, 1.0f, 0.4f });
 	settings.root = { 0.0f, 1.02f, 0.1f };
-	settings.path = { { 0.0f, 1.0f, 0.3f }, { 0.0f, 1.0f, 0.7f }, { 0.0f, 0.9f, 1.2f } };
-	settings.adhesion_distance = 0.03f;
+	settings.path = { { 0.0f, 1.0f, 0.3f } };
+	settings.random_weight = 0.1f;
 	settings.length = 5.0f;
 	const Climb climb = grown_on(shelf, settings);
 	float hanging = 0.0f;
@@ -168,6 +168,7 @@ TEST_CASE("a shoot without support hangs down and ends") {
 	CHECK(hanging > 0.4f);
 	CHECK(hanging < 0.6f);
 	CHECK(climb.points.front().to_tip < 2.0f);
+	CHECK(climb.points.back().place.y < 0.75f);
 }
 
 TEST_CASE("the same seed gives the same plant, another seed another one") {
@@ -180,7 +181,7 @@ TEST_CASE("the same seed gives the same plant, another seed another one") {
 TEST_CASE("a climber is the same on every platform") {
 	ClimbSupport box;
 	add_box(box, { -1.0f, 0.0f, -1.0f }, { 1.0f, 2.0f, 0.0f });
-	CHECK(hash_of(grown_on(box, settings_of(10))) == 0xe8aff18347efc055ull);
+	CHECK(hash_of(grown_on(box, settings_of(10))) == 0x8a499c9fb83d1793ull);
 }
 
 TEST_CASE("no leaf is inside a support") {
