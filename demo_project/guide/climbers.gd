@@ -2,7 +2,7 @@ extends "sheet.gd"
 ## Ivy on a wall: by itself, along a drawn path, and its leaves from near.
 
 const WALL := Vector3(6.0, 2.6, 0.3)
-const BRICKS := preload("brick_wall.gdshader")
+const BRICKS := preload("res://stage/brick_wall.gdshader")
 ## Degrees: from the upper left.
 const SUN := Vector3(-42.0, -38.0, 0.0)
 

@@ -5,7 +5,6 @@ extends "viewport_test.gd"
 const CLIMBER_FILE := "res://viewport_climber.tscn"
 
 
-
 func test_a_drag_over_the_wall_draws_a_path() -> void:
 	var climber := await _open_climber()
 	await click(_button("DrawPath"))

@@ -57,9 +57,8 @@ std::vector<ClimbChunk> divide_climb(const Climb &climb, float size) {
 		chunk_at(climb.leaves[i].body, climb.leaves[i].place).leaves.push_back(static_cast<int>(i));
 	}
 	for (ClimbChunk &chunk : chunks) {
-		std::sort(chunk.leaves.begin(), chunk.leaves.end(), [](int a, int b) {
-			return mix_bits(static_cast<uint64_t>(a)) < mix_bits(static_cast<uint64_t>(b));
-		});
+		std::sort(chunk.leaves.begin(), chunk.leaves.end(),
+				[](int a, int b) { return mix_bits(static_cast<uint64_t>(a)) < mix_bits(static_cast<uint64_t>(b)); });
 	}
 	for (const ClimbShoot &shoot : climb.shoots) {
 		ClimbChunk *last = nullptr;

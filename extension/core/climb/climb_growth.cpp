@@ -137,7 +137,8 @@ private:
 		points++;
 		const GrowingShoot &shoot = growing[index];
 		const int others = crowding.enter(shoot.tip().place, number);
-		if (shoot.is.order > 0 && others >= CROWD && shoot.tip().is_attached && shoot.length > FREE * settings.stem_spacing) {
+		if (shoot.is.order > 0 && others >= CROWD && shoot.tip().is_attached &&
+				shoot.length > FREE * settings.stem_spacing) {
 			growing[index].is_over = true;
 		}
 		if (!growing[index].is_over) {
@@ -209,8 +210,8 @@ std::string grow_climb(const ClimbSupport &support, const ClimbSettings &setting
 	const float reach = settings.length * (1.0f + settings.branch_length) + settings.max_hanging + MAX_ROOT_DISTANCE +
 			settings.adhesion_distance;
 	const float finest = 2.0f * ShootStep::length_of(settings);
-	const SurfaceGrid grid(support, settings.root - glm::vec3(reach), settings.root + glm::vec3(reach),
-			finest, std::max(settings.adhesion_distance, finest));
+	const SurfaceGrid grid(support, settings.root - glm::vec3(reach), settings.root + glm::vec3(reach), finest,
+			std::max(settings.adhesion_distance, finest));
 	Grower grower(support, settings, grid);
 	if (grid.is_empty() || !grower.begin()) {
 		return "no support is within a metre of the root. Move the node to the wall, or add the wall to supports.";

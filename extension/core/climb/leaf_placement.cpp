@@ -41,7 +41,8 @@ public:
 			while (next <= gone + length && length > 0.0f) {
 				const float share = (next - gone) / length;
 				add(shoot, before, point, share, number++);
-				next += settings.leaf_spacing * (1.0f + 0.4f * signed_noise(shoot.seed, 100 + 7 * static_cast<uint64_t>(number)));
+				next += settings.leaf_spacing *
+						(1.0f + 0.4f * signed_noise(shoot.seed, 100 + 7 * static_cast<uint64_t>(number)));
 			}
 			gone += length;
 		}

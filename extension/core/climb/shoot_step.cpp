@@ -160,8 +160,7 @@ void ShootStep::advance(GrowingShoot &shoot, const ClimbSupport &support) const 
 	shoot.is_over = shoot.length >= shoot.goal || shoot.hanging > settings.max_hanging;
 }
 
-std::optional<ClimbPoint> ShootStep::begin_at(
-		const glm::vec3 &place, float reach, const ClimbSupport &support) const {
+std::optional<ClimbPoint> ShootStep::begin_at(const glm::vec3 &place, float reach, const ClimbSupport &support) const {
 	const SurfaceHit hit = grid.nearest(place, reach);
 	if (!hit.is_valid()) {
 		return {};

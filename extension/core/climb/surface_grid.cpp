@@ -84,7 +84,10 @@ SurfaceGrid::SurfaceGrid(
 	found_high = glm::min(found_high, high);
 	cell = std::clamp(EDGES_PER_CELL * edge, finest, coarsest);
 	fit(found_low, found_high);
-	starts.assign(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]) + 1, 0);
+	starts.assign(
+			static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]) +
+					1,
+			0);
 	for (const int triangle : chosen) {
 		visit_cells(triangle, [&](int number) { starts[static_cast<std::size_t>(number) + 1]++; });
 	}
@@ -154,7 +157,8 @@ SurfaceGrid::Box SurfaceGrid::cells_around(const glm::vec3 &low, const glm::vec3
 // Only the plane: a cell beside a corner of a triangle is listed too.
 bool SurfaceGrid::touches(int triangle, int x, int y, int z) const {
 	const glm::vec3 *corner = corners_of(triangle);
-	const glm::vec3 middle = origin + cell * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, static_cast<float>(z) + 0.5f);
+	const glm::vec3 middle = origin +
+			cell * glm::vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, static_cast<float>(z) + 0.5f);
 	const glm::vec3 normal = doubled_area(corner);
 	const float reach = 0.505f * cell * (std::fabs(normal.x) + std::fabs(normal.y) + std::fabs(normal.z));
 	return std::fabs(glm::dot(normal, middle - corner[0])) <= reach;
@@ -162,8 +166,8 @@ bool SurfaceGrid::touches(int triangle, int x, int y, int z) const {
 
 template <class Visit> void SurfaceGrid::visit_cells(int triangle, const Visit &visit) const {
 	const glm::vec3 *corner = corners_of(triangle);
-	const Box box = cells_around(glm::min(corner[0], glm::min(corner[1], corner[2])),
-			glm::max(corner[0], glm::max(corner[1], corner[2])));
+	const Box box = cells_around(
+			glm::min(corner[0], glm::min(corner[1], corner[2])), glm::max(corner[0], glm::max(corner[1], corner[2])));
 	for (int z = box.low[2]; z <= box.high[2]; z++) {
 		for (int y = box.low[1]; y <= box.high[1]; y++) {
 			for (int x = box.low[0]; x <= box.high[0]; x++) {
@@ -225,7 +229,8 @@ bool first_on_ray(const ClimbSupport &support, const glm::vec3 &from, const glm:
 	constexpr float FARTHEST = 1e4f; // Lengths of the direction.
 	float least = 1.0f;
 	for (int i = 0; i < support.triangles(); i++) {
-		least = std::min(least, share_to(&support.corners[3 * static_cast<std::size_t>(i)], from, direction * FARTHEST));
+		least = std::min(
+				least, share_to(&support.corners[3 * static_cast<std::size_t>(i)], from, direction * FARTHEST));
 	}
 	place = from + direction * (FARTHEST * least);
 	return least < 1.0f;

@@ -48,7 +48,9 @@ private:
 	std::vector<int> starts; ///< By cell: first of its entries, and the end.
 	std::vector<int> entries; ///< Triangles.
 
-	const glm::vec3 *corners_of(int triangle) const { return &from_support.corners[3 * static_cast<std::size_t>(triangle)]; }
+	const glm::vec3 *corners_of(int triangle) const {
+		return &from_support.corners[3 * static_cast<std::size_t>(triangle)];
+	}
 	std::vector<int> select(const glm::vec3 &low, const glm::vec3 &high, glm::vec3 &found_low, glm::vec3 &found_high,
 			float &edge) const;
 	void fit(const glm::vec3 &low, const glm::vec3 &high);

@@ -17,7 +17,7 @@ using namespace godot;
 
 namespace undergrowth {
 
-static constexpr float CHUNK_SIZE = 4.0f; // m.
+static constexpr float CHUNK_SIZE = 3.0f; // m.
 static constexpr float CELL_SIZE = 0.8f; // m, of leaves that move alike.
 static constexpr int MAX_CELLS = 1024;
 static constexpr int INSTANCE_FLOATS = 20; // Transform, colour and custom data.

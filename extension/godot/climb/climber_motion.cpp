@@ -89,7 +89,8 @@ void ClimberMotion::begin() {
 	forces.apparent_wind = 0.0f;
 	for (size_t i = 0; i < cells.size(); i++) {
 		const PlantFrame frame = frame_of(cells[i]);
-		auto own = std::find_if(pages.begin(), pages.end(), [&](const Rows &rows) { return rows.group->kind.frame == frame; });
+		auto own = std::find_if(
+				pages.begin(), pages.end(), [&](const Rows &rows) { return rows.group->kind.frame == frame; });
 		if (own == pages.end()) {
 			Rows made;
 			made.group = std::make_unique<PlantGroup>(

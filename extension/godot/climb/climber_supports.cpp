@@ -42,7 +42,8 @@ Transform3D rigid(const Transform3D &transform) {
 static void add_lathe(const std::vector<Vector2> &profile, PackedVector3Array &into) {
 	const auto at = [&](size_t row, int column) {
 		const double angle = 2.0 * PI * column / (2 * ROWS);
-		return Vector3(profile[row].x * float(std::cos(angle)), profile[row].y, profile[row].x * float(std::sin(angle)));
+		return Vector3(
+				profile[row].x * float(std::cos(angle)), profile[row].y, profile[row].x * float(std::sin(angle)));
 	};
 	for (size_t row = 0; row + 1 < profile.size(); row++) {
 		for (int column = 0; column < 2 * ROWS; column++) {
@@ -69,10 +70,11 @@ static std::vector<Vector2> round_profile(float radius, float lift) {
 static void add_box(const Vector3 &size, PackedVector3Array &into) {
 	static const int FACES[6][4] = { { 0, 1, 3, 2 }, { 4, 6, 7, 5 }, { 0, 2, 6, 4 }, { 1, 5, 7, 3 }, { 0, 4, 5, 1 },
 		{ 2, 3, 7, 6 } };
-	for (const int(&face)[4] : FACES) {
+	for (const int (&face)[4] : FACES) {
 		for (const int corner : { 0, 1, 2, 0, 2, 3 }) {
 			const int i = face[corner];
-			into.push_back(0.5f * Vector3(i & 1 ? size.x : -size.x, i & 2 ? size.y : -size.y, i & 4 ? size.z : -size.z));
+			into.push_back(
+					0.5f * Vector3(i & 1 ? size.x : -size.x, i & 2 ? size.y : -size.y, i & 4 ? size.z : -size.z));
 		}
 	}
 }
@@ -119,8 +121,8 @@ static void add_shape(const Node3D *node, std::vector<FoundFaces> &into) {
 }
 
 // Plants are no supports: their meshes are internal children, which are not listed here.
-static void add_below(const Node *node, void (*add)(const Node3D *, std::vector<FoundFaces> &),
-		std::vector<FoundFaces> &into) {
+static void add_below(
+		const Node *node, void (*add)(const Node3D *, std::vector<FoundFaces> &), std::vector<FoundFaces> &into) {
 	if (const auto *place = Object::cast_to<Node3D>(node)) {
 		add(place, into);
 	}
@@ -154,9 +156,8 @@ String ClimberSupports::read(const Node3D *climber, const TypedArray<NodePath> &
 					 : "supports[" + String::num_int64(i) + "] '" + String(path) + "' is no node. Choose the wall.";
 	}
 	if (paths.is_empty()) {
-		fault = climber->get_parent_node_3d()
-				? add_node(climber->get_parent_node_3d(), found)
-				: String("needs a wall. Set supports, or make it a child of the wall.");
+		fault = climber->get_parent_node_3d() ? add_node(climber->get_parent_node_3d(), found)
+											  : String("needs a wall. Set supports, or make it a child of the wall.");
 	}
 	if (!fault.is_empty()) {
 		return fault;

@@ -179,7 +179,7 @@ void PlantClimber3D::adopt() {
 		leaves = grown->climb.leaves;
 		cells_of_leaves = grown->cells.of_leaves;
 		stem_length = grown->climb.total_length;
-		leaf_vertices = grown->leaf_vertices[0];
+		list_levels(*grown);
 		stem_vertices = grown->stem_vertices;
 		view.show(*grown, shown_species->get_material(), kind_of_motion(shown_species, shown_height));
 		places.assign(size_t(bodies.count()), growth);
@@ -196,6 +196,17 @@ void PlantClimber3D::adopt() {
 	emit_signal("grown");
 	if (is_dirty) {
 		rebuild_call.queue();
+	}
+}
+
+void PlantClimber3D::list_levels(const ClimberBuild &grown) {
+	levels.clear();
+	for (size_t i = 0; i < CLIMBER_LEVELS.size(); i++) {
+		Dictionary level;
+		level["begin"] = double(grown.begins[i]);
+		level["share"] = double(CLIMBER_LEVELS[i].share);
+		level["leaf_vertices"] = grown.leaf_vertices[i];
+		levels.push_back(level);
 	}
 }
 
@@ -286,18 +297,21 @@ void PlantClimber3D::update_simulation() {
 
 Transform3D PlantClimber3D::get_leaf_transform(int leaf) const {
 	if (leaf < 0 || leaf >= int(leaves.size())) {
-		report_error(this, "get_leaf_transform(" + String::num_int64(leaf) + ") needs a leaf from 0 to get_leaf_count() - 1.");
+		report_error(this,
+				"get_leaf_transform(" + String::num_int64(leaf) + ") needs a leaf from 0 to get_leaf_count() - 1.");
 		return Transform3D();
 	}
 	const ClimbLeaf &one = leaves[size_t(leaf)];
 	const float scale = float(leaf_size) * one.size;
-	const Basis axes(to_godot(glm::cross(one.out, one.down)) * scale, to_godot(one.out) * scale, to_godot(one.down) * scale);
+	const Basis axes(
+			to_godot(glm::cross(one.out, one.down)) * scale, to_godot(one.out) * scale, to_godot(one.down) * scale);
 	return places[size_t(one.body)] * Transform3D(axes, to_godot(one.place));
 }
 
 double PlantClimber3D::get_leaf_deflection(int leaf) const {
 	if (leaf < 0 || leaf >= int(leaves.size())) {
-		report_error(this, "get_leaf_deflection(" + String::num_int64(leaf) + ") needs a leaf from 0 to get_leaf_count() - 1.");
+		report_error(this,
+				"get_leaf_deflection(" + String::num_int64(leaf) + ") needs a leaf from 0 to get_leaf_count() - 1.");
 		return 0.0;
 	}
 	return 2.0 * std::atan(double(motion.bend_of(cells_of_leaves[size_t(leaf)]).length()));
@@ -312,7 +326,7 @@ Dictionary PlantClimber3D::get_statistics() const {
 	all["grow_usec"] = grow_usec;
 	all["main_thread_usec"] = main_thread_usec;
 	all["leaves"] = int(leaves.size());
-	all["leaf_vertices"] = leaf_vertices;
+	all["levels"] = levels.duplicate(true);
 	all["stem_vertices"] = stem_vertices;
 	all["instances"] = view.instance_count();
 	all["stem_length"] = double(stem_length);

@@ -53,7 +53,7 @@ class PlantClimber3D : public godot::Node3D {
 	float stem_length = 0.0f; ///< m.
 	double grow_usec = 0.0;
 	double main_thread_usec = 0.0;
-	int leaf_vertices = 0;
+	godot::Array levels; ///< Dictionaries of get_statistics().
 	int stem_vertices = 0;
 	godot::Ref<PlantFunction> shown_species;
 	float shown_height = 0.1f; ///< m, of a leaf's plant.
@@ -70,6 +70,7 @@ class PlantClimber3D : public godot::Node3D {
 	bool start();
 	godot::String prepare(ClimberBuild &into);
 	void adopt();
+	void list_levels(const ClimberBuild &grown);
 	void process_frame();
 	void follow_supports();
 	void place_all();
@@ -146,8 +147,8 @@ public:
 	godot::AABB get_reach() const;
 	godot::Dictionary get_statistics() const;
 	void reset_motion();
-	/// Returns the first point of a support on a ray (world axes), or nil. `is_first`: reads the surfaces again. For the
-	/// editor.
+	/// Returns the first point of a support on a ray (world axes), or nil. `is_first`: reads the surfaces again. For
+	/// the editor.
 	godot::Variant pick(const godot::Vector3 &from, const godot::Vector3 &direction, bool is_first);
 	void preview(double delta, const godot::Ref<PlantWind> &blowing);
 

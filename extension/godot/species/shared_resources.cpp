@@ -25,8 +25,8 @@ static std::mutex making; // Meshes may be generated on several threads.
 
 static const char *const SHADER_PATHS[SHADERS] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
 	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_solids.gdshader",
-	"res://addons/undergrowth/shaders/plant_cards.gdshader",
-	"res://addons/undergrowth/shaders/plant_shadows.gdshader", "res://addons/undergrowth/shaders/plant_climber.gdshader" };
+	"res://addons/undergrowth/shaders/plant_cards.gdshader", "res://addons/undergrowth/shaders/plant_shadows.gdshader",
+	"res://addons/undergrowth/shaders/plant_climber.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();

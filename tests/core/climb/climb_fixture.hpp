@@ -31,7 +31,7 @@ inline void add_box(ClimbSupport &support, const glm::vec3 &low, const glm::vec3
 	};
 	const int faces[6][4] = { { 0, 1, 3, 2 }, { 4, 6, 7, 5 }, { 0, 2, 6, 4 }, { 1, 5, 7, 3 }, { 0, 4, 5, 1 },
 		{ 2, 3, 7, 6 } };
-	for (const int(&face)[4] : faces) {
+	for (const int (&face)[4] : faces) {
 		add_quad(support, at(face[0]), at(face[1]), at(face[2]), at(face[3]), body);
 	}
 }

@@ -56,7 +56,7 @@ func _grow() -> void:
 
 
 func _grow_another() -> void:
-	ClimberSteps.set_seed(EditorInterface.get_editor_undo_redo(), _climber, _climber.seed + 1)
+	ClimberSteps.change_seed(EditorInterface.get_editor_undo_redo(), _climber, _climber.seed + 1)
 
 
 func _draw_path() -> void:
@@ -65,6 +65,4 @@ func _draw_path() -> void:
 
 
 func _clear_path() -> void:
-	ClimberSteps.set_path(
-		EditorInterface.get_editor_undo_redo(), _climber, PackedVector3Array()
-	)
+	ClimberSteps.change_path(EditorInterface.get_editor_undo_redo(), _climber, PackedVector3Array())

@@ -90,7 +90,7 @@ func finish() -> void:
 	var is_complete := _drawn.is_complete()
 	is_on = false
 	if is_complete and get_climber():
-		ClimberSteps.set_path(_undo, _climber, points)
+		ClimberSteps.change_path(_undo, _climber, points)
 	finished.emit()
 
 

@@ -6,13 +6,13 @@ const Translations := preload("../translations/translations.gd")
 
 
 ## Lets [param climber] follow [param points] in its axes. Without points it grows by itself.
-static func set_path(
+static func change_path(
 	undo: EditorUndoRedoManager, climber: PlantClimber3D, points: PackedVector3Array
 ) -> void:
 	_change(undo, climber, Translations.text("Draw Path"), &"path", points)
 
 
-static func set_seed(undo: EditorUndoRedoManager, climber: PlantClimber3D, value: int) -> void:
+static func change_seed(undo: EditorUndoRedoManager, climber: PlantClimber3D, value: int) -> void:
 	_change(undo, climber, Translations.text("Grow Another"), &"seed", value)
 
 

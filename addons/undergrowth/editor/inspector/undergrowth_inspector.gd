@@ -1,8 +1,9 @@
 @tool
 extends EditorInspectorPlugin
 ## Adds a moving plant, the outline of its stem, and the tree of its parts above a species'
-## properties, the force over time above a wind's, the kinds of area and a map of the species above
-## a field's, and the growth of a climber. Shows ranges as one control, and numbers below 0 as what they mean.
+## properties, and the force over time above a wind's. Above a field's are the kinds of area and a
+## map of the species, above a climber's its growth. Shows ranges as one control, and numbers below
+## 0 as what they mean.
 
 const PlantPreview := preload("plant_preview.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## Finds the plants in the edited scene that react to a wind: single plants, fields and climbers. All have
-## the property wind and the methods _preview and reset_motion.
+## Finds the plants in the edited scene that react to a wind: single plants, fields and climbers.
+## All have the property wind and the methods _preview and reset_motion.
 
 
 static func is_plant(node: Node) -> bool:
