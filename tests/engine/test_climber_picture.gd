@@ -20,6 +20,7 @@ func before_each() -> void:
 	_climber.wind = PlantWind.new()
 	_climber.wind.kind = PlantWind.KIND_AIR
 	_climber.wind.speed = 0.0
+	_climber.wind.turbulence = 0.0  # Then only the flutter goes on.
 	wall.add_child(_climber)
 	_camera = Camera3D.new()
 	_camera.fov = 50.0
@@ -39,7 +40,7 @@ func test_leaves_flutter_in_the_wind_and_rest_without_it() -> void:
 	await frames(20)
 	check(count_different(calm, await picture()) < MIN_MOVED / 10, "leaves rest in calm air")
 	_climber.wind.speed = 9.0
-	await frames(90)
+	await frames(240)
 	var blown := await picture()
 	check(count_different(calm, blown) > MIN_MOVED, "wind moves leaves")
 	await frames(7)
@@ -63,3 +64,14 @@ func test_every_level_is_drawn() -> void:
 
 func _grown() -> void:
 	await until(func() -> bool: return _climber.get_leaf_count() > 0, "it has grown")
+
+
+func test_it_grows_again_while_it_is_drawn() -> void:
+	await _grown()
+	for i in 3:
+		_climber.length = 1.3 + 0.1 * i
+		await frames(3)
+		await until(func() -> bool: return not _climber.is_growing(), "it has grown")
+	var shown := await picture()
+	_climber.hide()
+	check(count_different(shown, await picture()) > 2000, "it is drawn")
