@@ -150,7 +150,7 @@ func test_the_path_leads_it() -> void:
 func test_a_part_moves_as_a_plant_at_its_place() -> void:
 	_climber.wind = PlantWind.new()
 	_climber.wind.kind = PlantWind.KIND_CONSTANT
-	_climber.wind.strength = 0.4
+	_climber.wind.strength = 0.8
 	_climber.wind.direction = PI / 2.0
 	await _grow_on_wall()
 	var leaf := 30
