@@ -21,8 +21,8 @@ struct ClimberLevel {
 	float leaf_pixels; ///< Begins where a leaf is that long; 0: where the error of its outline is below a pixel.
 };
 
-inline constexpr std::array<ClimberLevel, 5> CLIMBER_LEVELS = { { { 4, 1.0f, 0.0f }, { 3, 1.0f, 0.0f }, { 2, 1.0f, 0.0f },
-		{ 2, 0.5f, 3.5f }, { 2, 0.25f, 1.75f } } };
+inline constexpr std::array<ClimberLevel, 5> CLIMBER_LEVELS = { { { 4, 1.0f, 0.0f }, { 3, 1.0f, 0.0f },
+		{ 2, 1.0f, 0.0f }, { 2, 0.5f, 3.5f }, { 2, 0.25f, 1.75f } } };
 inline constexpr int CLIMBER_LEVEL_COUNT = int(CLIMBER_LEVELS.size());
 inline constexpr int STEM_LEVELS = 2;
 
