@@ -18,6 +18,7 @@ const GIZMOS: Array[String] = ["editor/gizmo/plant_gizmos.gd", FIELD_GIZMOS]
 const WIND := "editor/wind/wind_button.gd"
 const SWAY := "editor/wind/sway_button.gd"
 const BRUSH := "editor/brush/field_brush.gd"
+const CLIMBER_PATHS := "editor/climber/climber_path_tool.gd"
 const DROP_AREA := "editor/field/drop_area.gd"
 const GROUND_WATCH := "editor/field/ground_watch.gd"
 const FLAT_FIELDS := "editor/field/flat_fields.gd"
@@ -28,6 +29,7 @@ const TRANSLATIONS := "editor/translations/translations.gd"
 ## A class of the library.
 const NATIVE_CLASS := &"PlantFunction"
 const FIELD_CLASS := &"PlantField3D"
+const CLIMBER_CLASS := &"PlantClimber3D"
 ## Seconds of one step of the simulation; PlantSimulation reads it when the library is loaded.
 const STEP_SETTING := "undergrowth/simulation/step_length"
 const DEFAULT_STEP := 1.0 / 60.0
@@ -48,6 +50,8 @@ var _sway: Button
 var _wind: Button
 # What paints into fields: editor/brush/field_brush.gd.
 var _brush: RefCounted
+# What draws paths of climbers: editor/climber/climber_path_tool.gd.
+var _climber_paths: RefCounted
 # Take mixes and species that are dropped on the 3D views: editor/field/drop_area.gd.
 var _drop_areas: Array[Control] = []
 # Fills fields again whose ground was moved: editor/field/ground_watch.gd.
@@ -97,6 +101,7 @@ func _exit_tree() -> void:
 		button.queue_free()
 	_brush.call(&"close")
 	_brush = null
+	_climber_paths = null
 	for area in _drop_areas:
 		area.queue_free()
 	_drop_areas.clear()
@@ -122,27 +127,31 @@ func _enable_plugin() -> void:
 
 
 func _handles(object: Object) -> bool:
-	return _brush != null and object is Node3D and object.is_class(FIELD_CLASS)
+	var is_ours := object.is_class(FIELD_CLASS) or object.is_class(CLIMBER_CLASS)
+	return _brush != null and object is Node3D and is_ours
 
 
 func _edit(object: Object) -> void:
 	if _brush:
-		_brush.call(&"edit", object)
+		_brush.call(&"edit", object if object and object.is_class(FIELD_CLASS) else null)
+		_climber_paths.call(&"edit", object)
 
 
 func _make_visible(is_shown: bool) -> void:
 	if _brush and not is_shown:
-		_brush.call(&"edit", null)
+		_edit(null)
 
 
 func _forward_3d_gui_input(camera: Camera3D, event: InputEvent) -> int:
 	var is_ours: bool = _brush and _brush.call(&"handle", camera, event)
+	is_ours = is_ours or (_climber_paths and _climber_paths.call(&"handle", camera, event))
 	return AFTER_GUI_INPUT_STOP if is_ours else AFTER_GUI_INPUT_PASS
 
 
 func _forward_3d_draw_over_viewport(overlay: Control) -> void:
 	if _brush:
 		_brush.call(&"draw_over", overlay)
+		_climber_paths.call(&"draw_over", overlay)
 
 
 # The editor calls this before it shows another scene, and before it saves.
@@ -186,7 +195,10 @@ func _add_dock() -> void:
 
 
 func _add_helpers() -> void:
+	_climber_paths = (_load(CLIMBER_PATHS) as GDScript).new()
+	_climber_paths.call(&"setup", self)
 	_inspector = (_load(INSPECTOR) as GDScript).new()
+	_inspector.set(&"climber_paths", _climber_paths)
 	add_inspector_plugin(_inspector)
 	_refused_values = (_load(REFUSED_VALUES) as GDScript).new()
 	_refused_values.call(&"setup")

@@ -12,6 +12,7 @@
 #include "form/plant_part_kinds.hpp"
 #include "model/model_material.hpp"
 #include "nodes/plant_3d.hpp"
+#include "nodes/plant_climber_3d.hpp"
 #include "nodes/plant_field_3d.hpp"
 #include "nodes/plant_wind_source_3d.hpp"
 #include "plants/plant_simulation.hpp"
@@ -64,6 +65,7 @@ static void register_classes() {
 	GDREGISTER_CLASS(PlantWind);
 	GDREGISTER_CLASS(PlantWindSource3D);
 	GDREGISTER_CLASS(Plant3D);
+	GDREGISTER_CLASS(PlantClimber3D);
 	GDREGISTER_CLASS(PlantHabitat);
 	GDREGISTER_CLASS(PlantFieldSpecies);
 	GDREGISTER_CLASS(PlantFieldLevel);

@@ -6,8 +6,9 @@ const DOCK_SCRIPT := "res://addons/undergrowth/editor/dock.gd"
 const PREVIEW_SCRIPT := "res://addons/undergrowth/editor/inspector/plant_preview.gd"
 const PLOT_SCRIPT := "res://addons/undergrowth/editor/widgets/profile_plot.gd"
 const WIND_BUTTON_SCRIPT := "res://addons/undergrowth/editor/wind/wind_button.gd"
+const CLIMBER_BAR_SCRIPT := "res://addons/undergrowth/editor/climber/climber_bar.gd"
 ## Scripts with several controls in turn. All others have one.
-const RENEWED: PackedStringArray = [PREVIEW_SCRIPT, PLOT_SCRIPT]
+const RENEWED: PackedStringArray = [PREVIEW_SCRIPT, PLOT_SCRIPT, CLIMBER_BAR_SCRIPT]
 
 # Controls by script. A search visits all nodes of the editor.
 static var _found: Dictionary[String, Control] = {}

@@ -22,6 +22,7 @@ const CLASSES: PackedStringArray = [
 	"PlantWind",
 	"PlantWindSource3D",
 	"Plant3D",
+	"PlantClimber3D",
 	"PlantField3D",
 	"PlantFieldSpecies",
 	"PlantFieldLevel",

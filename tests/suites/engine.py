@@ -42,6 +42,7 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "wind_shader": ["gl_compatibility", "forward_plus"],
          "shader_functions": ["gl_compatibility"],
          "model_materials": ["gl_compatibility"],
+         "climber_picture": ["gl_compatibility", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_cards": ["gl_compatibility", "forward_plus"],
          "field_picture_jitter": ["gl_compatibility", "forward_plus"],

@@ -4,6 +4,7 @@
 #include "base/follow_changes.hpp"
 #include "base/messages.hpp"
 #include "base/world_of.hpp"
+#include "climb/climber_motion.hpp"
 #include "field/motion/step_batch.hpp"
 #include "nodes/plant_3d.hpp"
 #include "nodes/plant_field_3d.hpp"
@@ -105,6 +106,17 @@ void PlantSimulation::leave(PlantField3D *field) {
 	}
 }
 
+void PlantSimulation::enter(ClimberMotion *climber) {
+	if (std::find(climbers.begin(), climbers.end(), climber) == climbers.end()) {
+		climber->set_step_length(float(clock.step()));
+		climbers.push_back(climber);
+	}
+}
+
+void PlantSimulation::leave(ClimberMotion *climber) {
+	climbers.erase(std::remove(climbers.begin(), climbers.end(), climber), climbers.end());
+}
+
 double PlantSimulation::read_monitor(int which) const {
 	double sum = 0.0;
 	for (const PlantField3D *field : fields) {
@@ -158,6 +170,9 @@ void PlantSimulation::list_winds() {
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		list(group->kind.wind);
 	}
+	for (const ClimberMotion *climber : climbers) {
+		list(climber->wind());
+	}
 	for (PlantField3D *field : fields) {
 		if (field->begin_frame(frame.frame)) {
 			list(field->get_wind());
@@ -177,6 +192,11 @@ void PlantSimulation::step_groups(double ago) {
 		group->roots.step(ago);
 		group->step(wind ? wind->travelling() : calm, wind ? wind->time_before(1, clock.step()) : 0.0,
 				air_sources.in(group->kind.forces.world));
+	}
+	for (ClimberMotion *climber : climbers) {
+		PlantWind *wind = climber->wind().ptr();
+		climber->step(wind ? wind->travelling() : calm, wind ? wind->time_before(1, clock.step()) : 0.0,
+				air_sources.in(climber->world()));
 	}
 }
 
@@ -218,6 +238,9 @@ void PlantSimulation::pose_plants() {
 	const float alpha = clock.alpha();
 	for (const std::unique_ptr<PlantGroup> &group : groups) {
 		group->pose(alpha, swings.now(alpha));
+	}
+	for (ClimberMotion *climber : climbers) {
+		climber->pose(alpha, swings.now(alpha));
 	}
 }
 
@@ -329,6 +352,9 @@ void PlantSimulation::set_step_length(double seconds) {
 	}
 	for (PlantField3D *field : fields) {
 		field->on_step_length_changed();
+	}
+	for (ClimberMotion *climber : climbers) {
+		climber->set_step_length(float(clock.step()));
 	}
 }
 

@@ -19,6 +19,7 @@
 
 namespace undergrowth {
 
+class ClimberMotion;
 class PlantField3D;
 class PlantFunction;
 
@@ -30,6 +31,7 @@ class PlantSimulation : public godot::Object {
 
 	std::vector<std::unique_ptr<PlantGroup>> groups;
 	std::vector<PlantField3D *> fields; ///< All in the tree.
+	std::vector<ClimberMotion *> climbers; ///< That simulate.
 	std::vector<godot::Ref<PlantWind>> winds; ///< In use in this frame. A wind may be listed twice.
 	BodyReadings body_readings;
 	PlantBodies bodies;
@@ -86,6 +88,9 @@ public:
 	/// Adds a field of the tree. It takes part in the steps of a frame if its begin_frame() allows that.
 	void enter(PlantField3D *field);
 	void leave(PlantField3D *field);
+	/// Adds a climber, which steps from the next frame on. It must leave before it is freed.
+	void enter(ClimberMotion *climber);
+	void leave(ClimberMotion *climber);
 	/// Returns the bodies of a group in a world (instance id), in this frame. See BodyReadings::read().
 	const BodyReading *read_bodies(const godot::StringName &group, uint64_t world) {
 		return body_readings.read(group, world);

@@ -17,15 +17,16 @@ namespace undergrowth {
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-// For lathes, parts, and in fields: parts without cards, parts with cards, and shadows.
-static Ref<Shader> *shaders[5] = {};
+// For lathes, parts, in fields: parts without cards, parts with cards, and shadows; and for climbers.
+static constexpr int SHADERS = 6;
+static Ref<Shader> *shaders[SHADERS] = {};
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
 
-static const char *const SHADER_PATHS[5] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
+static const char *const SHADER_PATHS[SHADERS] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
 	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_solids.gdshader",
-	"res://addons/undergrowth/shaders/plant_cards.gdshader",
-	"res://addons/undergrowth/shaders/plant_shadows.gdshader" };
+	"res://addons/undergrowth/shaders/plant_cards.gdshader", "res://addons/undergrowth/shaders/plant_shadows.gdshader",
+	"res://addons/undergrowth/shaders/plant_climber.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
@@ -86,6 +87,10 @@ Ref<Shader> cards_shader() {
 
 Ref<Shader> shadows_shader() {
 	return load_shader(4);
+}
+
+Ref<Shader> climber_shader() {
+	return load_shader(5);
 }
 
 static bool is_main_thread() {

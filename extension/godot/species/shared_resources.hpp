@@ -30,6 +30,8 @@ godot::Ref<godot::Shader> solids_shader();
 godot::Ref<godot::Shader> cards_shader();
 /// Returns the add-on's shader of plants of parts that only cast shadows. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> shadows_shader();
+/// Returns the add-on's shader of the leaves of climbers. Stays loaded as plant_shader() does.
+godot::Ref<godot::Shader> climber_shader();
 
 /// Returns the skin of the two bones, root and tip. All plants share it.
 godot::Ref<godot::Skin> plant_skin();

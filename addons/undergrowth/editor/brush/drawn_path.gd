@@ -43,6 +43,11 @@ func release() -> bool:
 	return _is_dragged or is_closed()
 
 
+## True after a drag, until the next press.
+func is_dragged() -> bool:
+	return _is_dragged
+
+
 func is_empty() -> bool:
 	return points.is_empty()
 

@@ -1,8 +1,9 @@
 @tool
 extends EditorInspectorPlugin
 ## Adds a moving plant, the outline of its stem, and the tree of its parts above a species'
-## properties, the force over time above a wind's, and the kinds of area and a map of the species
-## above a field's. Shows ranges as one control, and numbers below 0 as what they mean.
+## properties, and the force over time above a wind's. Above a field's are the kinds of area and a
+## map of the species, above a climber's its growth. Shows ranges as one control, and numbers below
+## 0 as what they mean.
 
 const PlantPreview := preload("plant_preview.gd")
 const WindInspectorView := preload("wind_inspector_view.gd")
@@ -10,6 +11,8 @@ const HeightSlider := preload("../widgets/height_slider.gd")
 const RangeProperty := preload("range_property.gd")
 const AreaBar := preload("area_bar.gd")
 const SpeciesMap := preload("species_map.gd")
+const ClimberBar := preload("../climber/climber_bar.gd")
+const ClimberPathTool := preload("../climber/climber_path_tool.gd")
 const WordedProperty := preload("worded_property.gd")
 const PartsEditor := preload("../parts/parts_editor.gd")
 const ProfilePlot := preload("../widgets/profile_plot.gd")
@@ -19,6 +22,7 @@ const Translations := preload("../translations/translations.gd")
 const PREVIEW := preload("plant_preview.tscn")
 const WIND_VIEW := preload("wind_inspector_view.tscn")
 const FIELD := "PlantField3D"
+const CLIMBER := "PlantClimber3D"
 const HEIGHT := "height"
 const PARTS := "arrangements"
 ## Classes with ranges or words.
@@ -27,6 +31,7 @@ const CLASSES: Array[StringName] = [
 	&"PlantWind",
 	&"Plant3D",
 	&"PlantField3D",
+	&"PlantClimber3D",
 	&"PlantArrangement",
 	&"PlantPart",
 	&"PlantStem",
@@ -46,6 +51,9 @@ const WORDS: Dictionary[String, String] = {
 	"wind_weight": "automatic",
 	"turbulence": "by roughness",
 }
+
+## Draws paths of climbers. The plugin sets it.
+var climber_paths: ClimberPathTool
 
 
 func _can_handle(object: Object) -> bool:
@@ -73,6 +81,10 @@ func _parse_category(object: Object, category: String) -> void:
 		var map := SpeciesMap.new()
 		map.setup(object as PlantField3D)
 		add_custom_control(map)
+	elif object is PlantClimber3D and category == CLIMBER:
+		var climbing := ClimberBar.new()
+		climbing.setup(object as PlantClimber3D, climber_paths)
+		add_custom_control(climbing)
 
 
 func _parse_property(

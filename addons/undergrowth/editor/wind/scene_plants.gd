@@ -1,11 +1,11 @@
 @tool
 extends RefCounted
-## Finds the plants in the edited scene that react to a wind: single plants and fields. Both have
-## the property wind and the methods _preview and reset_motion.
+## Finds the plants in the edited scene that react to a wind: single plants, fields and climbers.
+## All have the property wind and the methods _preview and reset_motion.
 
 
 static func is_plant(node: Node) -> bool:
-	return node is Plant3D or node is PlantField3D
+	return node is Plant3D or node is PlantField3D or node is PlantClimber3D
 
 
 ## Returns all plants from [param root] on, in the order of the scene dock.

@@ -2,6 +2,7 @@
 
 #include "base/new_object.hpp"
 #include "species/shared_resources.hpp"
+#include "stem/stem_shape.hpp"
 
 #include <godot_cpp/classes/base_material3d.hpp>
 #include <godot_cpp/classes/shader.hpp>
@@ -87,6 +88,25 @@ Ref<ShaderMaterial> make_field_material(const Ref<Material> &source, bool of_par
 		take_over(plain, made);
 	}
 	return made;
+}
+
+// Shapes per bend of the tip, not per amplitude: textures contain bends.
+static Array shapes_of(const StemConstants &stem) {
+	Array shapes;
+	for (const float (&shape)[4] : stem.shape) {
+		const float second = stem.modes == 2 ? shape[1] / stem.mode[1].tip_slope : 0.0f;
+		shapes.push_back(Vector4(shape[0] / stem.mode[0].tip_slope, second, shape[2], shape[3]));
+	}
+	return shapes;
+}
+
+void set_stem_parameters(const Ref<ShaderMaterial> &material, const MotionSpecies &species) {
+	const bool is_stem = species.law == Law::stem;
+	set_parameter(material, "undergrowth_stem_modes", is_stem ? species.stem.modes : 0);
+	if (is_stem) {
+		set_parameter(material, "undergrowth_stem_shapes", shapes_of(species.stem));
+		set_parameter(material, "undergrowth_stem_share", first_share(species.stem));
+	}
 }
 
 bool draws_cards(const Ref<Material> &source) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "motion/motion_species.hpp"
+
 #include <godot_cpp/classes/material.hpp>
 #include <godot_cpp/classes/shader_material.hpp>
 
@@ -30,6 +32,9 @@ void take_over(const godot::Ref<godot::ShaderMaterial> &source, const godot::Ref
 /// Sets a shader parameter if its value differs, because writing a parameter costs more than reading it.
 void set_parameter(
 		const godot::Ref<godot::ShaderMaterial> &material, const godot::StringName &name, const godot::Variant &value);
+
+/// Sets the shape of the stems of a species (undergrowth_stem.gdshaderinc).
+void set_stem_parameters(const godot::Ref<godot::ShaderMaterial> &material, const MotionSpecies &species);
 
 /// True if a field can draw cards with a function's material: none, one with the add-on's shader of plants of parts, or
 /// one whose shader includes undergrowth_card.gdshaderinc.

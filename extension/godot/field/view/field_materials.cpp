@@ -8,7 +8,6 @@
 #include "form/shared_cards.hpp"
 #include "model/model_material.hpp"
 #include "species/shared_resources.hpp"
-#include "stem/stem_shape.hpp"
 
 #include <godot_cpp/classes/rendering_server.hpp>
 
@@ -140,24 +139,9 @@ void FieldMaterials::bind_style(const SpeciesStyle &style, const FieldMotion &mo
 	style.set_surface_materials();
 }
 
-// Shapes per bend of the tip, not per amplitude: textures contain bends.
-static Array shapes_of(const StemConstants &stem) {
-	Array shapes;
-	for (const float (&shape)[4] : stem.shape) {
-		const float second = stem.modes == 2 ? shape[1] / stem.mode[1].tip_slope : 0.0f;
-		shapes.push_back(Vector4(shape[0] / stem.mode[0].tip_slope, second, shape[2], shape[3]));
-	}
-	return shapes;
-}
-
 void FieldMaterials::send_stem(const SpeciesStyle &style) const {
-	const bool is_stem = style.motion.law == Law::stem;
 	for (const Ref<ShaderMaterial> &material : style.materials) {
-		set_parameter(material, "undergrowth_stem_modes", is_stem ? style.motion.stem.modes : 0);
-		if (is_stem) {
-			set_parameter(material, "undergrowth_stem_shapes", shapes_of(style.motion.stem));
-			set_parameter(material, "undergrowth_stem_share", first_share(style.motion.stem));
-		}
+		set_stem_parameters(material, style.motion);
 	}
 }
 
