@@ -49,10 +49,17 @@ func find_faults(features: PackedStringArray) -> PackedStringArray:
 				(
 					("%s is missing: the game will have no plants. " % library)
 					+ "Install the whole release of the add-on, or build this library with "
-					+ "./run build target=%s." % library.get_file().get_slice(".", 2)
+					+ "./run build %s." % _build_options(library.get_file())
 				)
 			)
 	return faults
+
+
+# The name of a library is libundergrowth.PLATFORM.TARGET.ARCH and the file's type.
+func _build_options(file: String) -> String:
+	var parts := file.split(".")
+	var options := "platform=%s arch=%s target=%s" % [parts[1], parts[3], parts[2]]
+	return options + (" threads=no" if "nothreads" in parts else "")
 
 
 # An export for macOS is for both processors or for one.
