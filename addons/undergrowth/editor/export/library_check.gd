@@ -69,11 +69,13 @@ func _architectures(features: PackedStringArray) -> Array[String]:
 	return ARCHITECTURES.filter(func(name: String) -> bool: return name in features)
 
 
-# The engine's rule: all words of a key are features of the export.
+# The engine's rule: all words of a key are features of the export. A key without an architecture is
+# for all of them.
 func _find_library(list: ConfigFile, features: PackedStringArray, architecture: String) -> String:
 	for key in list.get_section_keys(SECTION):
 		var words := Array(key.split("."))
-		var holds := func(word: String) -> bool: return word == architecture or word in features
-		if architecture in words and words.all(holds):
+		var holds := func(word: String) -> bool:
+			return word == architecture or (word in features and word not in ARCHITECTURES)
+		if words.all(holds):
 			return _folder.path_join(list.get_value(SECTION, key))
 	return ""
