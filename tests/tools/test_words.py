@@ -22,6 +22,11 @@ class Words(unittest.TestCase):
         for given in (["lint"], ["lint", "fix=yes"], ["test", "suites=core,asan"]):
             self.assertFalse(words.needs_godot(given), given)
 
+    @unittest.skipUnless(sys.platform.startswith("linux"), "packages of Debian")
+    def test_compilers_of_other_systems_do_not_search_usual_folders(self):
+        self.assertTrue(words.ignores_usual_folders(["build", "platform=android", "arch=arm64"]))
+        self.assertFalse(words.ignores_usual_folders(["build", "platform=linux"]))
+
 
 if __name__ == "__main__":
     unittest.main()

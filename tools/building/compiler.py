@@ -7,6 +7,8 @@ import os
 import platform
 import sys
 
+from . import kits
+
 PLATFORMS = {"linux": "linux", "win32": "windows", "darwin": "macos"}
 ARCHITECTURES = {"x86_64": "x86_64", "amd64": "x86_64", "aarch64": "arm64", "arm64": "arm64"}
 PASSED_ON = ("PATH", "HOME", "TMPDIR", "TMP", "TEMP", "CPATH", "CPLUS_INCLUDE_PATH", "LIBRARY_PATH", "INCLUDE", "LIB",
@@ -23,6 +25,7 @@ ZIG_TOOLS = ["gcc", "g++", "gnulink", "ar"]
 WEB_PROGRAMS = {"CXX": "em++", "LINK": "em++", "SHLINK": "em++", "AR": "emar", "RANLIB": "emranlib"}
 WEB_FLAGS = ["-sSIDE_MODULE=1", "-sSUPPORT_LONGJMP=wasm"]
 LIBRARY_SUFFIXES = {"linux": ".so", "windows": ".dll", "macos": ".dylib"}
+MAC_PROCESSORS = ["x86_64", "arm64"]
 ZIG_CACHES = ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")
 
 QUIET = {"CXX": "Compiling", "SHCXX": "Compiling", "AR": "Archiving", "RANLIB": "Indexing", "LINK": "Linking",
@@ -45,7 +48,7 @@ def is_msvc(env):
 def base_environment(make, settings):
     """What all sources share: C++17 and the machine's own tools, or zig's. `make` is SCons' Environment."""
     arch, platform_name, zig = settings["arch"], settings["platform"], settings["zig"]
-    tools = {"tools": ZIG_TOOLS} if zig or platform_name == "web" else {"TARGET_ARCH": arch}
+    tools = {"tools": ZIG_TOOLS} if zig or platform_name in kits.LIBRARY_ONLY else {"TARGET_ARCH": arch}
     env = make(ENV={name: os.environ[name] for name in PASSED_ON if name in os.environ}, TARGET_PLATFORM=platform_name,
                ZIG=zig, **tools)
     if os.name == "nt":
@@ -57,6 +60,8 @@ def base_environment(make, settings):
         use_zig(env, settings["ROOT"], platform_name, arch)
     elif platform_name == "web":
         use_emscripten(env, settings["ROOT"], settings["threads"])
+    elif platform_name in kits.PHONES:
+        kits.use(env, settings["KIT"], settings["ROOT"], platform_name, arch)
     else:
         env.Replace(CXX=settings["cxx"] or os.environ.get("CXX") or env["CXX"])
     if is_msvc(env):
@@ -80,7 +85,8 @@ def use_emscripten(env, root, with_threads):
 
 def use_apple(env, arch):
     """The compiler of a Mac, and where its package managers put headers."""
-    env.Append(CCFLAGS=["-arch", arch], LINKFLAGS=["-arch", arch])
+    words = [word for name in (MAC_PROCESSORS if arch == "universal" else [arch]) for word in ("-arch", name)]
+    env.Append(CCFLAGS=words, LINKFLAGS=words)
     for folder in ("/opt/homebrew/include", "/opt/local/include"):
         if os.path.isdir(folder):
             env.Append(CCFLAGS=["-isystem", folder])
@@ -101,7 +107,7 @@ def use_zig(env, root, platform_name, arch):
 
 
 def uses_gcc(env):
-    others = ("macos", "web")
+    others = ("macos", *kits.LIBRARY_ONLY)
     return not is_msvc(env) and not env["ZIG"] and "clang" not in env["CXX"] and env["TARGET_PLATFORM"] not in others
 
 
@@ -127,6 +133,8 @@ def library_link_flags(env, name, release, import_library):
     if env["TARGET_PLATFORM"] == "linux":
         # zig's own libraries contain 40 MB of debug information.
         return ["-s"] if release else ["-Wl,--strip-debug"] if env["ZIG"] else []
+    if env["TARGET_PLATFORM"] in kits.PHONES:
+        return kits.link_flags(env["TARGET_PLATFORM"], name, release)
     if not env["ZIG"]:
         return []
     if env["TARGET_PLATFORM"] == "macos":
@@ -161,9 +169,11 @@ def for_kernels(env, file_name, arch):
     env = env.Clone()
     if not is_msvc(env):
         env.Append(CCFLAGS=["-fno-math-errno", "-fno-trapping-math"])
-    if "avx2" in file_name and arch == "x86_64":
+    if "avx2" in file_name and arch in ("x86_64", "universal"):
         # Without FMA: a fused multiply rounds once and would give other bits than the portable kernel.
-        env.Append(CCFLAGS=["/arch:AVX2"] if is_msvc(env) else ["-mavx2", "-mf16c", "-mno-fma"])
+        flags = ["/arch:AVX2"] if is_msvc(env) else ["-mavx2", "-mf16c", "-mno-fma"]
+        # A universal object has its flags for one processor only.
+        env.Append(CCFLAGS=[word for flag in flags for word in ("-Xarch_x86_64", flag)] if arch == "universal" else flags)
     return env
 
 
@@ -176,7 +186,8 @@ def use_godot_cpp(env, folder, platform, release, with_threads=True):
     """Compiles against the built godot-cpp in `folder`, with the definitions that it was built with."""
     defines = ["GDEXTENSION"] + (["THREADS_ENABLED"] if with_threads else []) + ([] if release else ["HOT_RELOAD_ENABLED", "DEBUG_ENABLED"])
     defines += {"linux": ["LINUX_ENABLED", "UNIX_ENABLED"], "macos": ["MACOS_ENABLED", "UNIX_ENABLED"],
-                "windows": ["WINDOWS_ENABLED"], "web": ["WEB_ENABLED", "UNIX_ENABLED"]}.get(platform, [])
+                "windows": ["WINDOWS_ENABLED"], "web": ["WEB_ENABLED", "UNIX_ENABLED"],
+                "android": ["ANDROID_ENABLED", "UNIX_ENABLED"], "ios": ["IOS_ENABLED", "UNIX_ENABLED"]}.get(platform, [])
     env.Append(CPPDEFINES=defines)
     for name in ("include", "gen/include", "gdextension"):
         # As system headers: their warnings are not ours to mend.

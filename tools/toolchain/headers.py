@@ -22,9 +22,9 @@ def missing_packages(environment=os.environ, usual=USUAL_FOLDERS):
             if not any(os.path.exists(os.path.join(folder, header)) for folder in folders)]
 
 
-def include_folders():
-    """Folders to add to the compiler's search path; none where the machine has all headers itself."""
-    return [private_folder()] if missing_packages() else []
+def include_folders(usual=USUAL_FOLDERS):
+    """Folders to add to the compiler's search path; none where the machine has all headers itself, `usual` among others."""
+    return [private_folder()] if missing_packages(usual=usual) else []
 
 
 def private_folder():

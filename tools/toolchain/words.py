@@ -31,6 +31,11 @@ def needs_godot(words):
     return bool(targets - LIGHT_WORDS) and not core_only
 
 
+def ignores_usual_folders(words):
+    """True for compilers that do not search this machine's folders of headers, where Debian's packages can be unpacked."""
+    return sys.platform.startswith("linux") and bool({"platform=web", "platform=android"} & set(words))
+
+
 def environment_for(words):
     """The environment in which scons finds all that the words need; fetches what is missing."""
     targets = set(targets_of(words)) or {"build"}
@@ -47,7 +52,7 @@ def environment_for(words):
     if needs_godot(words):
         changes["GODOT"] = godot.find()
     if targets - LIGHT_WORDS:
-        changes["CPLUS_INCLUDE_PATH"] = headers.include_folders()
+        changes["CPLUS_INCLUDE_PATH"] = headers.include_folders(() if ignores_usual_folders(words) else headers.USUAL_FOLDERS)
     if targets & DRAWING_WORDS and needs_godot(words):
         bring_display()
     return changes

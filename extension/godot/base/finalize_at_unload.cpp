@@ -2,7 +2,7 @@
 // (ziglang/zig#17908). Without it the engine runs the destructors at its end, after the library is unloaded. A second
 // run has no effect.
 
-#if defined(__linux__)
+#if defined(__linux__) && !defined(__ANDROID__)
 
 extern "C" void *__dso_handle;
 extern "C" void __cxa_finalize(void *library);

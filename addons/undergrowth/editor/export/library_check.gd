@@ -49,10 +49,17 @@ func find_faults(features: PackedStringArray) -> PackedStringArray:
 				(
 					("%s is missing: the game will have no plants. " % library)
 					+ "Install the whole release of the add-on, or build this library with "
-					+ "./run build target=%s." % library.get_file().get_slice(".", 2)
+					+ "./run build %s." % _build_options(library.get_file())
 				)
 			)
 	return faults
+
+
+# The name of a library is libundergrowth.PLATFORM.TARGET.ARCH and the file's type.
+func _build_options(file: String) -> String:
+	var parts := file.split(".")
+	var options := "platform=%s arch=%s target=%s" % [parts[1], parts[3], parts[2]]
+	return options + (" threads=no" if "nothreads" in parts else "")
 
 
 # An export for macOS is for both processors or for one.
@@ -62,11 +69,13 @@ func _architectures(features: PackedStringArray) -> Array[String]:
 	return ARCHITECTURES.filter(func(name: String) -> bool: return name in features)
 
 
-# The engine's rule: all words of a key are features of the export.
+# The engine's rule: all words of a key are features of the export. A key without an architecture is
+# for all of them.
 func _find_library(list: ConfigFile, features: PackedStringArray, architecture: String) -> String:
 	for key in list.get_section_keys(SECTION):
 		var words := Array(key.split("."))
-		var holds := func(word: String) -> bool: return word == architecture or word in features
-		if architecture in words and words.all(holds):
+		var holds := func(word: String) -> bool:
+			return word == architecture or (word in features and word not in ARCHITECTURES)
+		if words.all(holds):
 			return _folder.path_join(list.get_value(SECTION, key))
 	return ""
