@@ -19,8 +19,6 @@ namespace undergrowth {
 
 static constexpr float CHUNK_SIZE = 3.0f; // m.
 static constexpr float CELL_SIZE = 0.8f; // m, of leaves that move alike.
-static constexpr int MAX_CELLS = 1024;
-static constexpr int INSTANCE_FLOATS = 20; // Transform, colour and custom data.
 static constexpr float PIXELS = 704.0f; // Per radian: 1080 rows in a view of 75°.
 static constexpr float PHASES = 32.0f;
 static constexpr float FAR_STEMS = 1.5f; // Radius (mm) below which distant stems are left out.
@@ -38,7 +36,7 @@ void ClimberBuild::run() {
 	build_leaf();
 	fault = grow_climb(join_faces(faces), settings, climb);
 	if (fault.empty()) {
-		cells = find_cells(climb, CELL_SIZE, MAX_CELLS);
+		cells = find_cells(climb, CELL_SIZE, MAX_CLIMBER_CELLS);
 		build_chunks();
 	}
 	if (makes_meshes) {

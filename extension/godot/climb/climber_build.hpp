@@ -25,6 +25,8 @@ inline constexpr std::array<ClimberLevel, 5> CLIMBER_LEVELS = { { { 4, 1.0f, 0.0
 		{ 2, 1.0f, 0.0f }, { 2, 0.5f, 3.5f }, { 2, 0.25f, 1.75f } } };
 inline constexpr int CLIMBER_LEVEL_COUNT = int(CLIMBER_LEVELS.size());
 inline constexpr int STEM_LEVELS = 2;
+inline constexpr int MAX_CLIMBER_CELLS = 1024;
+inline constexpr int INSTANCE_FLOATS = 20; ///< Of a leaf in a multimesh: transform, colour and custom data.
 
 /// What is drawn together.
 struct ClimberChunk {

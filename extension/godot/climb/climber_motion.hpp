@@ -21,8 +21,6 @@ namespace undergrowth {
 /// shader. Main thread.
 class ClimberMotion {
 public:
-	static constexpr int MAX_CELLS = 1024;
-
 	/// What all parts share.
 	struct Setup {
 		MotionSpecies species;
