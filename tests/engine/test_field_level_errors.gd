@@ -150,6 +150,19 @@ func test_few_triangles_of_a_dense_species_are_around_a_camera() -> void:
 		)
 
 
+## Its last form has two of sixteen heads.
+func test_lumps_in_place_of_many_heads_begin_far_away() -> void:
+	field.free()
+	field = PlantField3D.from_species([load(SPECIES % "lavender")])
+	field.density = 20.0
+	field.size = Vector2(19, 19)
+	await start()
+	var segments: PackedInt32Array = _levels()[0]["segments"]
+	var ends: PackedFloat32Array = _levels()[0]["ends"]
+	check_equal(segments.slice(-2), PackedInt32Array([3, 2]), "last levels of %s" % segments)
+	check(ends[-2] > 15.0, "levels end at %s" % ends)
+
+
 func test_levels_of_users_go_before_errors() -> void:
 	field.levels = [PlantFieldLevel.of(12, 3.0), PlantFieldLevel.of(4)]
 	await start()
