@@ -59,9 +59,9 @@ static constexpr float SEEN_SHARE_OF_SQUARES = 0.65f;
 static constexpr float SEEN_SHARE_OF_FIELD = 0.75f;
 static constexpr float MAX_COARSENING = 64.0f;
 static constexpr float COARSENED_FROM = 1.5f; // m.
-// Maximum for a last level whose bodies have an error of this share of the height:
+// A last level of bodies with larger errors than both, as a share of the height and in metres, is a lump.
 static constexpr float LUMP = 0.4f;
-static constexpr float MIN_LUMP = 0.1f; // m.
+static constexpr float MIN_LUMP = 0.1f;
 static constexpr float MAX_COARSENING_OF_LUMPS = 3.0f;
 // Beyond it, the nearest plants of a dense field have cards, too.
 static constexpr float MAX_COARSENING_OF_SOLID = 2.0f;
