@@ -12,12 +12,11 @@ const LIGHT := "Light"
 ## only, and no scene sways at first.
 func run(test: String) -> void:
 	TranslationServer.get_or_add_domain(Translations.DOMAIN).set_locale_override("en")
-	var surroundings := part("Browser/Actions/Surroundings") as CheckBox
-	surroundings.button_pressed = false
+	_surroundings().button_pressed = false
 	_state().choose_sway(true)
 	_state().sways = false
 	await super(test)
-	surroundings.button_pressed = true
+	_surroundings().button_pressed = true
 	_state().sways = false
 
 
@@ -132,3 +131,8 @@ func find_warning(field: PlantField3D, what: String) -> String:
 						return text
 				item = item.get_next_in_tree()
 	return ""
+
+
+# A test may load the plugin again.
+func _surroundings() -> CheckBox:
+	return part("Browser/Actions/Surroundings") as CheckBox

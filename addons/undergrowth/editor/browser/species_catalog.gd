@@ -21,6 +21,8 @@ const EMPTY_CLASS := "MeshPlantFunction"
 ## Added to the editor's folder.
 const READY_FOLDER := "species"
 const MIXES_FOLDER := "mixes"
+## Leaves of climbers, which are no plants by themselves.
+const CLIMBERS_FOLDER := "climbers"
 const SCRIPT_TYPES: Array[StringName] = [&"GDScript", &"CSharpScript"]
 const SEARCH_USEC_PER_FRAME := 4000
 
@@ -146,7 +148,7 @@ func _list_files(folder: String, ending: String, kind: SpeciesEntry.Kind) -> Arr
 
 func _is_shipped(folder: String) -> bool:
 	var path := folder.trim_suffix("/")
-	return path == _shipped(READY_FOLDER) or path == _shipped(MIXES_FOLDER)
+	return path in [READY_FOLDER, MIXES_FOLDER, CLIMBERS_FOLDER].map(_shipped)
 
 
 func _shipped(folder: String) -> String:
