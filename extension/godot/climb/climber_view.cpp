@@ -95,8 +95,8 @@ void ClimberView::add_leaves(const ClimberBuild &build, const ClimberChunk &chun
 	}
 	RenderingServer *server = RenderingServer::get_singleton();
 	const RID multimesh = server->multimesh_create();
-	server->multimesh_allocate_data(
-			multimesh, int(buffer.size()) / INSTANCE_FLOATS, RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, false);
+	server->multimesh_allocate_data(multimesh, int(buffer.size()) / INSTANCE_FLOATS,
+			RenderingServer::MULTIMESH_TRANSFORM_3D, true, true, false);
 	server->multimesh_set_mesh(multimesh, build.leaf_meshes[size_t(level)]->get_rid());
 	server->multimesh_set_custom_aabb(multimesh, chunk.box);
 	server->multimesh_set_buffer(multimesh, buffer);
