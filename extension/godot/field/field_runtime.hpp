@@ -80,7 +80,7 @@ public:
 	/// True if it needs poll() each frame.
 	bool needs_frames() const {
 		return is_at_work() || is_building() || is_building_parts() || streams() || !retired.empty() ||
-				!retired_materials.empty() || reports_parts;
+				!retired_materials.empty() || reports_parts || holds_free_memory;
 	}
 	/// True while motion is transferred to a build. This frame must not wait for any part of it.
 	bool is_transferring() const { return job && job->handover == FieldBuild::Handover::transferring; }
