@@ -29,12 +29,13 @@ const MIN_MEASURE := 1e-3
 ## Returns a field of [param function] that can be built, without a name and without wind.
 static func make_field(function: PlantFunction) -> PlantField3D:
 	var field := PlantField3D.from_species([function])
-	field.density = find_density(function)
+	var plant := _measure(function)
+	field.density = _density_of(plant)
 	var side := sqrt(MAX_PLANTS / field.density)
 	if side < field.size.x:
 		field.size = Vector2.ONE * maxf(floorf(side), MIN_SIDE)
 	field.species = [make_entry(function)]
-	var falloff := clampf(FALLOFF * _measure(function).height, FALLOFF_RANGE.x, FALLOFF_RANGE.y)
+	var falloff := clampf(FALLOFF * plant.height, FALLOFF_RANGE.x, FALLOFF_RANGE.y)
 	field.edge_falloff = snappedf(falloff, 0.1)
 	return field
 
@@ -51,10 +52,13 @@ static func make_entry(function: PlantFunction) -> PlantFieldSpecies:
 ## Returns the plants per square metre that cover the ground: high for a lawn, lower for reeds,
 ## lowest for broad ferns.
 static func find_density(function: PlantFunction) -> float:
-	var size := _measure(function)
-	var by_height := DENSITY_AT_ONE_METRE / pow(size.height, HEIGHT_POWER)
-	var by_breadth := OVERLAP / (size.breadth * size.breadth)
-	var by_layers := MAX_LAYERS / size.area
+	return _density_of(_measure(function))
+
+
+static func _density_of(plant: Dictionary[StringName, float]) -> float:
+	var by_height := DENSITY_AT_ONE_METRE / pow(plant.height, HEIGHT_POWER)
+	var by_breadth := OVERLAP / (plant.breadth * plant.breadth)
+	var by_layers := MAX_LAYERS / plant.area
 	var density := clampf(minf(by_height, minf(by_breadth, by_layers)), MIN_DENSITY, MAX_DENSITY)
 	return snappedf(density, 0.5 if density < 10.0 else 5.0)
 

@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
 ## The points of a path that the user draws on the ground of a field: with one drag, or with clicks.
-## In the field's axes.
+## In the axes of the field or the climber.
 
 ## Distance of two points of a drag, as a fraction of the path's width, and its minimum in metres.
 const SPACING := 0.5
@@ -15,6 +15,9 @@ const TOLERANCE := 0.005
 const TOLERANCES := Vector2(0.03, 0.5)
 ## Fraction of the distance of the neighbours in the handles of a point.
 const SMOOTHNESS := 1.0 / 6.0
+## In pixels at 100 %.
+const THICKNESS := 2.0
+const DOT := 4.0
 
 ## In metres.
 var width := 1.0
@@ -86,6 +89,24 @@ func make_curve() -> Curve3D:
 		curve.add_point(corners[i], -handle, handle)
 	curve.closed = closed
 	return curve
+
+
+## Draws the points on [param overlay], and a line to the pointer at [param end], if that is a
+## Vector3. All are in the axes of [param node].
+func draw(overlay: Control, camera: Camera3D, node: Node3D, end: Variant, color: Color) -> void:
+	var shown := points.duplicate()
+	if end is Vector3:
+		shown.append(end)
+	var line := PackedVector2Array()
+	for point in shown:
+		var place := node.to_global(point)
+		if not camera.is_position_behind(place):
+			line.append(camera.unproject_position(place))
+	var scale := EditorInterface.get_editor_scale()
+	if line.size() > 1:
+		overlay.draw_polyline(line, color, THICKNESS * scale, true)
+	if line:
+		overlay.draw_circle(line[0], DOT * scale, color, true, -1.0, true)
 
 
 # The algorithm of Douglas and Peucker.

@@ -8,9 +8,6 @@ const DrawnPath := preload("drawn_path.gd")
 const PathSteps := preload("path_steps.gd")
 const Translations := preload("../translations/translations.gd")
 const COLOR := Color(1.0, 0.85, 0.4)
-## In pixels at 100 %.
-const THICKNESS := 2.0
-const DOT := 4.0
 
 var _undo: EditorUndoRedoManager
 var _options: BrushOptions
@@ -84,19 +81,7 @@ func cancel() -> void:
 func draw_over(overlay: Control, camera: Camera3D, pointer: Vector2) -> void:
 	if _drawn.is_empty() or not is_instance_valid(_field):
 		return
-	var shown := _drawn.points.duplicate()
-	if _end is Vector3:
-		shown.append(_end)
-	var line := PackedVector2Array()
-	for point in shown:
-		var place := _field.to_global(point)
-		if not camera.is_position_behind(place):
-			line.append(camera.unproject_position(place))
-	var scale := EditorInterface.get_editor_scale()
-	if line.size() > 1:
-		overlay.draw_polyline(line, COLOR, THICKNESS * scale, true)
-	if line:
-		overlay.draw_circle(line[0], DOT * scale, COLOR, true, -1.0, true)
+	_drawn.draw(overlay, camera, _field, _end, COLOR)
 	BrushReadout.draw(overlay, pointer, _describe())
 
 

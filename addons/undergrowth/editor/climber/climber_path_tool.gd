@@ -3,14 +3,9 @@ extends RefCounted
 ## Draws the path of a climber on its wall in the 3D view: a drag, or clicks and Enter. Escape
 ## discards it.
 
-signal finished
-
 const DrawnPath := preload("../brush/drawn_path.gd")
 const ClimberSteps := preload("climber_steps.gd")
 const COLOR := Color(0.65, 0.95, 0.4)
-## In pixels at 100 %.
-const THICKNESS := 2.0
-const DOT := 4.0
 
 ## True while the tool takes the mouse.
 var is_on := false:
@@ -69,19 +64,7 @@ func draw_over(overlay: Control) -> void:
 	if not is_on or not get_climber() or _drawn.is_empty():
 		return
 	var camera := EditorInterface.get_editor_viewport_3d(0).get_camera_3d()
-	var shown := _drawn.points.duplicate()
-	if _end is Vector3:
-		shown.append(_end)
-	var line := PackedVector2Array()
-	for point in shown:
-		var place := _climber.to_global(point)
-		if not camera.is_position_behind(place):
-			line.append(camera.unproject_position(place))
-	var scale := EditorInterface.get_editor_scale()
-	if line.size() > 1:
-		overlay.draw_polyline(line, COLOR, THICKNESS * scale, true)
-	if line:
-		overlay.draw_circle(line[0], DOT * scale, COLOR, true, -1.0, true)
+	_drawn.draw(overlay, camera, _climber, _end, COLOR)
 
 
 ## Adds the path to the climber, unless it is too short.
@@ -91,7 +74,6 @@ func finish() -> void:
 	is_on = false
 	if is_complete and get_climber():
 		ClimberSteps.change_path(_undo, _climber, points)
-	finished.emit()
 
 
 func _handle_button(camera: Camera3D, event: InputEventMouseButton) -> bool:
@@ -117,7 +99,6 @@ func _handle_key(key: Key) -> bool:
 		finish()
 	elif key == KEY_ESCAPE:
 		is_on = false
-		finished.emit()
 	else:
 		return false
 	return true
