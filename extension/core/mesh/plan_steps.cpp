@@ -13,16 +13,15 @@ namespace undergrowth {
 
 namespace {
 
-constexpr int MIN_RODS = 60; // Vertices: with fewer, plants show their mean colour instead of single ears.
 constexpr float CONTRAST_WEIGHT = 6.0f; // Times the squared distance of the colours.
 
 /// Returns the fraction of a group's body that its parts fill.
-float cover_of(const PartGroup &group, const Part &part, bool has_rods) {
+float cover_of(const PartGroup &group, const Part &part) {
 	if (group.layout == Layout::disc) {
 		return 1.0f;
 	}
 	if (group.layout != Layout::whorl) {
-		return group.is_rod && has_rods ? 0.7f : 0.4f;
+		return group.is_rod ? 0.7f : 0.4f;
 	}
 	const float around = 2.0f * static_cast<float>(PI) * (group.radius + 0.5f * part.mean_length());
 	return std::min(1.0f, static_cast<float>(group.count) * part.width / around);
@@ -36,7 +35,7 @@ float worth_of(const glm::vec3 &color, const glm::vec3 &mean) {
 }
 
 PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, int budget, const CarriedCards &p_cards) :
-		form(p_form), measure(p_measure), cards(p_cards), has_rods(budget >= MIN_RODS), states(p_form.groups.size()) {
+		form(p_form), measure(p_measure), cards(p_cards), states(p_form.groups.size()) {
 	const bool is_close = budget > vertex_budget(FINEST_USUAL_LOD);
 	for (size_t g = 0; g < states.size(); g++) {
 		const Part &part = form.parts[static_cast<size_t>(form.groups[g].kind)];
@@ -46,7 +45,7 @@ PlanSteps::PlanSteps(const PlantForm &p_form, const FormMeasure &p_measure, int 
 			state.costs.push_back(count_part(part, detail).vertices);
 			state.errors.push_back(error_of(part, detail));
 		}
-		state.cover = cover_of(form.groups[g], part, has_rods);
+		state.cover = cover_of(form.groups[g], part);
 		count_left(g);
 		state.area = measure.shown[g];
 		const int carrier = form.groups[g].carrier_group;
@@ -162,7 +161,7 @@ void PlanSteps::recount() {
 
 BodyDetail PlanSteps::body_of(size_t group, size_t body) const {
 	BodyDetail detail = BODIES[body];
-	detail.is_rod = body > 0 && has_rods && form.groups[group].is_rod;
+	detail.is_rod = body > 0 && form.groups[group].is_rod;
 	return detail;
 }
 

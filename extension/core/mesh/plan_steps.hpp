@@ -25,7 +25,7 @@ float worth_of(const glm::vec3 &color, const glm::vec3 &mean);
 /// Reduces a form from full detail step by step (plan_form).
 class PlanSteps {
 public:
-	/// Large budgets start with close-up details, and small ones have no rods.
+	/// Large budgets start with close-up details.
 	PlanSteps(const PlantForm &form, const FormMeasure &measure, int budget = vertex_budget(FINEST_USUAL_LOD),
 			const CarriedCards &cards = {});
 
@@ -88,7 +88,6 @@ private:
 	const PlantForm &form;
 	const FormMeasure &measure;
 	const CarriedCards cards;
-	const bool has_rods;
 	std::vector<State> states;
 	std::vector<Twins> twins;
 	std::vector<FormPlan::Fate> fates;

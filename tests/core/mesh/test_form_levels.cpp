@@ -402,6 +402,23 @@ TEST_CASE("ears keep their width where bodies replace them") {
 	}
 }
 
+TEST_CASE("ears stay rods in coarse forms, where diamonds would look like flowers") {
+	for (const int segments : { 3, 2 }) {
+		int bodies = 0;
+		for (int seed = 1; seed <= 8; seed++) {
+			const PlantForm form = grow_cereal(seed);
+			const FormPlan plan = plan_form(form, measure_form(form), vertex_budget(segments));
+			for (size_t g = 0; g < form.groups.size(); g++) {
+				const bool is_body = plan.groups[g].body.sides > 0 && form.groups[g].is_rod;
+				bodies += is_body ? 1 : 0;
+				CHECK(plan.groups[g].body.is_rod == is_body);
+			}
+		}
+		INFO(segments << " segments");
+		CHECK(bodies > 0);
+	}
+}
+
 TEST_CASE("only heads whose parts are close to their axis are rods") {
 	const auto count_rods = [](const PlantForm &form) {
 		return std::count_if(
