@@ -12,7 +12,8 @@
 namespace undergrowth {
 
 inline constexpr int MAX_PARTS = 4096; ///< Of one plant.
-inline constexpr int MAX_DEPTH = 4; ///< Parts that carry parts that carry parts …: stem, twig, stalk, floret.
+/// Levels of parts on parts: a stem, three orders of branches, stalk, floret.
+inline constexpr int MAX_DEPTH = 6;
 inline constexpr int ON_GROUND = -1;
 
 /// One placed part of one plant.

@@ -122,9 +122,9 @@ TEST_CASE("counts of 0, of millions and below 0 are detected beforehand") {
 }
 
 TEST_CASE("parts that are too deep, carry themselves or have an unknown carrier are detected beforehand") {
-	CHECK(find_recipe_fault(chain(4, 2), false) == "");
-	CHECK(mentions(find_recipe_fault(chain(4, 2), true), "4 levels"));
-	CHECK(mentions(find_recipe_fault(chain(5, 2), false), "4 levels"));
+	CHECK(find_recipe_fault(chain(6, 2), false) == "");
+	CHECK(mentions(find_recipe_fault(chain(6, 2), true), "6 levels"));
+	CHECK(mentions(find_recipe_fault(chain(7, 2), false), "6 levels"));
 	Recipe recipe = chain(2, 2);
 	recipe.lines[1].on = 1;
 	CHECK(mentions(find_recipe_fault(recipe, false), "carries itself"));
@@ -132,6 +132,31 @@ TEST_CASE("parts that are too deep, carry themselves or have an unknown carrier 
 	CHECK(mentions(find_recipe_fault(recipe, false), "carries itself"));
 	recipe.lines[1] = { 3, Arrangement(), 0 };
 	CHECK(mentions(find_recipe_fault(recipe, false), "part is unknown"));
+}
+
+TEST_CASE("branches of three orders on a stem grow on the curves of what carries them") {
+	Recipe recipe = chain(5, 3);
+	recipe.kinds[0].kind = PartKind::axis;
+	recipe.kinds[0].curve = { 0.6f, 1.5f, 0.3f };
+	recipe.lines[0].arrangement.layout = Layout::ground;
+	for (size_t i = 1; i < recipe.lines.size(); i++) {
+		recipe.lines[i].arrangement.angle = { 0.9f, 0.5f };
+		recipe.lines[i].arrangement.scale = { 0.5f, 0.4f };
+	}
+	Growth growth(1.0f, 3);
+	REQUIRE(grow(recipe, ON_GROUND, growth) == "");
+	const PlantForm form = growth.finish();
+	CHECK(form.placed.size() == 3 + 9 + 27 + 81 + 243);
+	CHECK(form.groups.back().depth == 5);
+	for (const PlacedPart &part : form.placed) {
+		if (part.carrier == ON_GROUND) {
+			continue;
+		}
+		const PlacedPart &carrier = form.placed[static_cast<size_t>(part.carrier)];
+		CHECK(form.groups[static_cast<size_t>(part.group)].depth ==
+				form.groups[static_cast<size_t>(carrier.group)].depth + 1);
+		CHECK(glm::length(part.base - form.point_of(carrier, part.offset)) < 1e-6f);
+	}
 }
 
 TEST_CASE("invalid or out-of-range numbers have a fault") {
@@ -187,16 +212,18 @@ TEST_CASE("a group on carriers of several depths is deeper than the deepest of t
 		Growth growth(1.0f, 4);
 		int kind = -1;
 		REQUIRE(growth.add_kind(Part(), kind) == "");
-		std::vector<int> low, middle, high, on_both, deepest;
+		std::vector<int> low, middle, high, higher, highest, on_both, deepest;
 		REQUIRE(growth.arrange(kind, counted(1, 1), { ON_GROUND }, low) == "");
 		REQUIRE(growth.arrange(kind, counted(1, 1), low, middle) == "");
 		REQUIRE(growth.arrange(kind, counted(1, 1), middle, high) == "");
+		REQUIRE(growth.arrange(kind, counted(1, 1), high, higher) == "");
+		REQUIRE(growth.arrange(kind, counted(1, 1), higher, highest) == "");
 		const std::vector<int> carriers =
-				is_deepest_first ? std::vector<int>{ high[0], low[0] } : std::vector<int>{ low[0], high[0] };
+				is_deepest_first ? std::vector<int>{ highest[0], low[0] } : std::vector<int>{ low[0], highest[0] };
 		REQUIRE(growth.arrange(kind, counted(1, 1), carriers, on_both) == "");
-		CHECK(growth.form().groups.back().depth == 4);
-		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0] }, deepest), "4 levels"));
-		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0], low[0] }, deepest), "4 levels"));
+		CHECK(growth.form().groups.back().depth == MAX_DEPTH);
+		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0] }, deepest), "6 levels"));
+		CHECK(mentions(growth.arrange(kind, counted(1, 1), { on_both[0], low[0] }, deepest), "6 levels"));
 	}
 }
 
