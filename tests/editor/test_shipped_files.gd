@@ -12,7 +12,7 @@ func test_saving_a_scene_that_uses_all_of_them_changes_none() -> void:
 	check(before.size() > 100, "%d files" % before.size())
 	await _open_scene(SCENE, _make_scene())
 	var root := EditorInterface.get_edited_scene_root()
-	check_equal(root.find_children("*", "Plant3D").size(), 27, "species")
+	check_equal(root.find_children("*", "Plant3D").size(), 32, "species")
 	check_equal(root.find_children("*", "PlantField3D").size(), 5 + 6, "mixes, and winds")
 	for field: PlantField3D in root.find_children("*", "PlantField3D"):
 		while field.is_building():

@@ -4,16 +4,21 @@ extends "res://tests/engine/harness.gd"
 
 const FOLDER := "res://addons/undergrowth/species/"
 const PROMISED: PackedStringArray = [
+	"bamboo",
 	"barley",
 	"bellflower",
+	"bramble",
 	"buttercup",
 	"cattail",
 	"common_reed",
 	"cornflower",
 	"dandelion",
 	"dead_leaves",
+	"dog_rose",
 	"field_horsetail",
 	"garden_tulip",
+	"hazel",
+	"heather",
 	"ivy_carpet",
 	"lavender",
 	"lawn_grass",

@@ -7,10 +7,12 @@ const FOLDER := "res://addons/undergrowth/species/"
 const PIXELS_OF_RADIAN := 703.7
 const MAX_ERROR := 2.0  # Pixels.
 const ROUNDING := 1.01
-const MIN_SPECIES := 27
+const MIN_SPECIES := 32
 const NEAREST := 0.5  # m: levels that end nearer are not used.
 const NEAREST_CARDS := 0.549  # m.
-const CLOSE_CARDS: Array[String] = ["common_reed", "male_fern"]
+const CLOSE_CARDS: Array[String] = [
+	"bamboo", "bramble", "common_reed", "dog_rose", "hazel", "male_fern"
+]
 const FINEST := 33  # Segments.
 const MAX_DENSE_ERROR := 5.0  # Pixels, at the density of Add as Field.
 ## The same of species whose coarse forms are the least exact.
@@ -18,6 +20,7 @@ const MAX_DENSE_ERRORS: Dictionary[String, float] = {
 	"barley": 7.8,
 	"buttercup": 5.4,
 	"field_horsetail": 7.1,
+	"heather": 11.5,
 	"lavender": 13.6,
 	"lawn_grass": 5.9,
 	"moss_cushion": 12.5,

@@ -6,7 +6,12 @@ const GREEN := 0.25
 const WHITE := -1.0
 ## Hue of visible parts besides leaves. WHITE has none.
 const HUES: Dictionary = {
+	"bamboo": GREEN,
 	"barley": 0.12,
+	"bramble": GREEN,
+	"dog_rose": GREEN,
+	"hazel": GREEN,
+	"heather": 0.87,
 	"bellflower": 0.68,
 	"buttercup": 0.145,
 	"cattail": 0.05,
@@ -39,8 +44,8 @@ const MIN_SATURATION := 0.2
 const MIN_FLOWER := 8
 ## Minimum number of pixels of a thin plant.
 const MIN_VISIBLE_PIXELS := 60
-## Species without any green.
-const RIPE: PackedStringArray = ["dead_leaves", "straw", "twigs", "wheat"]
+## Species whose forms of these levels have no green.
+const RIPE: PackedStringArray = ["dead_leaves", "heather", "straw", "twigs", "wheat"]
 const MIN_WHITE := 0.5
 const MAX_CREAMY := 0.3
 ## As in a field up to 12 m, and up to 25 m.

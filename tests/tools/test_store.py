@@ -54,7 +54,7 @@ class Store(unittest.TestCase):
     def test_numbers_of_species_and_mixes_are_those_shipped(self):
         mixes = list((ROOT / "addons/undergrowth/mixes").glob("*.tscn"))
         self.assertEqual(len(mixes), 5)
-        self.assertIn("Twenty-four species and five mixes", self.text)
+        self.assertIn("Twenty-nine species and five mixes", self.text)
 
 
 if __name__ == "__main__":
