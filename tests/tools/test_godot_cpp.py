@@ -1,0 +1,99 @@
+"""The submodule godot-cpp: a clone without it builds as before, and a built one is used by default."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tools"))
+
+from building import godot_cpp
+from toolchain import python_tools
+
+SUFFIX = "linux.template_debug.x86_64"
+
+
+class GodotCpp(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = Path(scratch.name).resolve()
+
+    def choose(self, named="", suffixes=(SUFFIX,), is_own_compiler=True, words=("build",)):
+        return godot_cpp.chosen(str(self.root), named, suffixes, "linux", is_own_compiler, words)
+
+    def put_library(self, suffix=SUFFIX):
+        library = Path(godot_cpp.library(self.root / godot_cpp.SUBMODULE, suffix, "linux"))
+        library.parent.mkdir(parents=True, exist_ok=True)
+        library.touch()
+        return str(self.root / godot_cpp.SUBMODULE)
+
+    def test_without_a_built_submodule_the_binding_is_the_bundled_one(self):
+        self.assertEqual(self.choose(), "")
+        self.put_library("linux.template_release.x86_64")
+        self.assertEqual(self.choose(), "")
+
+    def test_a_built_submodule_is_used_by_default(self):
+        folder = self.put_library()
+        self.assertEqual(self.choose(), folder)
+        self.assertEqual(self.choose(named="no"), "")
+        self.assertEqual(self.choose(named="/other"), "/other")
+
+    def test_what_the_submodule_does_not_fit_has_the_bundled_binding(self):
+        self.put_library()
+        self.put_library("linux.template_release.x86_64")
+        self.assertEqual(self.choose(suffixes=(SUFFIX, "linux.template_release.x86_64")), "")
+        self.assertEqual(self.choose(is_own_compiler=False), "")
+        for word in godot_cpp.BUNDLED_WORDS:
+            self.assertEqual(self.choose(words=(word,)), "")
+
+    def test_the_profile_lists_the_classes_in_use(self):
+        (self.root / "extension/binding").mkdir(parents=True)
+        (self.root / "extension/binding/classes.txt").write_text("# Words.\nArea3D\n\nNode3D\n")
+        names = json.loads(Path(godot_cpp.write_profile(self.root)).read_text())["enabled_classes"]
+        self.assertEqual(names, ["Area3D", "Node3D", *godot_cpp.IN_SIGNATURES])
+
+    def test_libraries_of_both_kinds_are_built_with_the_definitions_of_the_add_on(self):
+        for kind, reload in (("template_debug", "yes"), ("template_release", "no")):
+            words = godot_cpp.words_for("api.json", "profile.json", "linux", "x86_64", kind, True, 2)
+            for word in (f"target={kind}", f"use_hot_reload={reload}", "custom_api_file=api.json", "threads=yes"):
+                self.assertIn(word, words)
+
+    def test_an_empty_submodule_is_one_error_with_the_remedy(self):
+        with self.assertRaisesRegex(godot_cpp.NotInitialised, "git submodule update --init --checkout godot-cpp"):
+            godot_cpp.build(["scons"], str(self.root), [], {})
+
+    @unittest.skipUnless(sys.platform == "linux" and os.uname().machine == "x86_64", "the names are those of Linux on x86_64")
+    def test_sconstruct_compiles_against_a_built_submodule(self):
+        for name in ("build", "demo_project"):
+            (self.root / name).mkdir()
+        for name in ("SConstruct", "addons", "extension", "tests", "tools"):
+            (self.root / name).symlink_to(ROOT / name)
+        folder = self.put_library()
+        command, folders = python_tools.scons_command()
+        environment = {**os.environ, **({"PYTHONPATH": os.pathsep.join(map(str, folders))} if folders else {})}
+        done = subprocess.run([*command, "-Q", "-n", "verbose=yes", "build"], cwd=self.root, env=environment,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+        self.assertIn(f"The library is compiled against godot-cpp in {folder}.", done.stdout)
+        self.assertIn(f"-isystem {folder}/include", done.stdout)
+        self.assertNotIn("extension/binding/src", done.stdout)
+
+
+@unittest.skipUnless((ROOT / ".git").exists(), "a checkout without git has no submodules")
+class Submodule(unittest.TestCase):
+    def test_it_is_pinned_and_no_clone_fetches_it_unasked(self):
+        listed = subprocess.run(["git", "ls-files", "--stage", "godot-cpp"], cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout
+        self.assertRegex(listed, r"^160000 [0-9a-f]{40} 0\tgodot-cpp\n$")
+        settings = subprocess.run(["git", "config", "--file", ".gitmodules", "--list"], cwd=ROOT, stdout=subprocess.PIPE,
+                                  text=True).stdout.splitlines()
+        self.assertIn("submodule.godot-cpp.path=godot-cpp", settings)
+        self.assertIn("submodule.godot-cpp.update=none", settings)
+
+
+if __name__ == "__main__":
+    unittest.main()
