@@ -3,7 +3,8 @@
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
 a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suites
-`soak`, `species` and `single` (the engine's headless ones without worker threads), and those on the zip, `package`, `export`, `windows` and `arm64`, run only by name.
+`soak`, `species`, `kernels` (bits and instructions on three processors) and `single` (the engine's headless ones without
+worker threads), and those on the zip, `package`, `export`, `windows` and `arm64`, run only by name.
 `fast` names the core's suite and the engine's headless ones: at most 4 minutes on two quiet cores.
 """
 

@@ -6,7 +6,8 @@ of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of the 
 
 --release measures in an exported game, with the engine's release template and the add-on's release library.
 
-Two parts are measured only where they are named. gpu fetches packages once, and estimates the time of a graphics card
+Three parts are measured only where they are named. instructions counts, in qemu, the instructions of the core's kernels for
+SSE2, AVX2 and NEON, and compares the bits that they write (tools/instructions). gpu fetches packages once, and estimates the time of a graphics card
 without one, from the cycles that Mesa's compiler states for the shaders (tools/gpu). card measures the time of this
 machine's graphics card, in a window.
 """
@@ -26,6 +27,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 import bench_plot  # noqa: E402  (the path above comes first)
 import bench_summary  # noqa: E402
 from gpu import measure as gpu  # noqa: E402
+from instructions import measure as instructions  # noqa: E402
 from suites import engine, exporting  # noqa: E402
 from toolchain import display  # noqa: E402
 from toolchain.place import Missing  # noqa: E402
@@ -45,7 +47,7 @@ SCENE_COUNTS = (10_000, 100_000, 1_000_000)
 CARD_RENDERERS = ("forward_plus", "mobile", "gl_compatibility")
 DRAWN_SCRIPTS = ("engine_bench", "field_bench")
 DEFAULT_PARTS = ("core", *ENGINE_SCRIPTS, "scene", "drawn")
-PARTS = (*DEFAULT_PARTS, "gpu", "card")
+PARTS = (*DEFAULT_PARTS, "gpu", "card", "instructions")
 STEADY = ["--fixed-fps", "60", "--disable-vsync"]
 # What makes a script of tests/bench the main loop of a game.
 GAME = """
@@ -163,6 +165,15 @@ def gpu_rows(godot, folder):
         return []
 
 
+def instruction_rows():
+    """The instructions of the kernels; nothing where no emulator can be had."""
+    try:
+        return instructions.rows()
+    except Missing as missing:
+        print(f"instructions are not counted: {missing}")
+        return []
+
+
 def table(rows):
     texts = [COLUMNS] + [tuple(text(row.get(column)) for column in COLUMNS) for row in rows]
     widths = [max(len(line[i]) for line in texts) for i in range(len(COLUMNS))]
@@ -195,6 +206,7 @@ def main():
     if not parts <= set(PARTS):
         parser.error(f"no such part: {', '.join(sorted(parts - set(PARTS)))}; there are {', '.join(PARTS)}")
     rows = measure("core_bench", [options.core]) if options.core and "core" in parts else []
+    rows += instruction_rows() if "instructions" in parts else []
     # An editor that exports writes beside what it finds, so it gets a copy.
     folder = engine.make_project("bench_project", {} if options.release else {"tests/bench": "tests/bench"})
     if options.release:

@@ -32,13 +32,19 @@ def lines(rows):
     for renderer in ("headless", "forward_plus", "gl_compatibility"):
         lines += field_lines(found, renderer)
     return [*lines, *fill_lines(found), *edit_lines(rows), *scene_lines(rows), *gpu_lines(rows),
-            *card_lines(rows), *peer_lines(found)]
+            *card_lines(rows), *instruction_lines(rows), *peer_lines(found)]
 
 
 def kernel_lines(rows):
     return [f"{row['name']}, {row['level']}, {row['plants']:,} plants: {row['g_plant_steps']:.2f} G plant-steps/s, "
             f"{percent(row['compute_share'])} of what the core can compute, {percent(row['memory_share'])} of what its "
             "memory can move" for row in rows if "g_plant_steps" in row]
+
+
+def instruction_lines(rows):
+    """The instructions of kernels, which write the same bits on all processors."""
+    return [f"{row['name']}: {row['sse2']:.1f} instructions per plant with SSE2, {row['avx2']:.1f} with AVX2, {row['neon']:.1f} "
+            "with NEON; the same bits" for row in rows if "neon" in row]
 
 
 def edit_lines(rows):

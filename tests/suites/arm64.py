@@ -1,9 +1,13 @@
 """Linux on arm64, by qemu: the core's tests, and some of the engine's with the library of the zip in Debian's Godot for
 that processor. A plain test does not run it: `./run package` first, then `./run test suites=arm64`.
+
+`./run test suites=kernels` needs no package: it compares the bits that the kernels write on three processors, and limits the
+instructions of those for NEON.
 """
 
 import shlex
 
+from instructions import measure
 from shipping import archive
 from toolchain import arm64, zig
 from toolchain.place import Missing
@@ -16,10 +20,22 @@ CORE_TESTS = ROOT / "build/obj/core_tests.linux.arm64/core_tests"
 # One script per area: growth, wind, motion, fields, and the help, because `char` is unsigned on arm64.
 SCRIPTS = ("plant_function", "motion", "simulation", "field", "class_help")
 TIMEOUT = 1800
+# Both have vectors of four floats. A kernel for NEON that is compiled to single floats has twice the instructions.
+MAX_OVER_SSE2 = 1.35
 
 
 def suites():
-    return [("arm64", run_all)]
+    return [("arm64", run_all), ("kernels", compare_kernels)]
+
+
+def compare_kernels():
+    try:
+        rows = measure.rows()
+    except (Missing, measure.OtherBits) as problem:
+        return Result("kernels", 0, [str(problem).replace("\n", " ")])
+    long = [f"{row['name']} takes {row['neon']} instructions with NEON, {row['sse2']} with SSE2" for row in rows
+            if row["neon"] > MAX_OVER_SSE2 * row["sse2"]]
+    return Result("kernels", len(rows) - len(long), long)
 
 
 def run_all():

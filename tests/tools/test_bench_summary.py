@@ -87,6 +87,11 @@ class Lines(unittest.TestCase):
         self.assertEqual(reported, ["scene_card, mobile, Card: 30.42 ms of the card for 97,179 plants, full",
                                     "card_plant_parts, mobile, Card: 30.42 ms of the card for 4,000,560 vertices"])
 
+    def test_instructions_of_a_kernel_have_a_line(self):
+        row = {"name": "step_stem", "plants": 4096, "sse2": 50.97, "avx2": 21.87, "neon": 42.27, "hash": "0"}
+        self.assertEqual(bench_summary.lines([row]),
+                         ["step_stem: 51.0 instructions per plant with SSE2, 21.9 with AVX2, 42.3 with NEON; the same bits"])
+
     def test_nothing_measured_is_no_line(self):
         self.assertEqual(bench_summary.lines([]), [])
 

@@ -11,7 +11,7 @@ namespace undergrowth {
 /// - kernels_avx2.cpp: the same and, on x86 only, -mavx2 -mf16c without -mfma [/O2 /arch:AVX2]. Without it the file is
 ///   empty and every level is the baseline.
 enum class SimdLevel {
-	baseline, ///< What the library is compiled for (SSE2 on any x86-64).
+	baseline, ///< What the library is compiled for: SSE2 on any x86-64, NEON on any arm64.
 	avx2,
 };
 

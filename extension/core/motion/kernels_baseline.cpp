@@ -1,5 +1,9 @@
 #include "motion/kernel_tables.hpp"
 
+#if defined(__aarch64__) && defined(__GNUC__)
+#include <arm_neon.h>
+#define UNDERGROWTH_NEON
+#endif
 #if !defined(__GNUC__)
 #include <math.h>
 #include <string.h>

@@ -2,6 +2,9 @@
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <emmintrin.h>
+#elif defined(__aarch64__) && defined(__GNUC__)
+#include <arm_neon.h>
+#define UNDERGROWTH_NEON
 #endif
 #if !defined(__GNUC__)
 #include <math.h>

@@ -1,0 +1,1 @@
+"""Counts the instructions of the core's kernels on processors that this machine does not have."""
