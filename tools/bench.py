@@ -6,10 +6,10 @@ of rows {"name", "plants", "threads", "median_ms", "us_per_plant"}; rows of the 
 
 --release measures in an exported game, with the engine's release template and the add-on's release library.
 
-Three parts are measured only where they are named. instructions counts, in qemu, the instructions of the core's kernels for
-SSE2, AVX2 and NEON, and compares the bits that they write (tools/instructions). gpu fetches packages once, and estimates the time of a graphics card
+Three parts are measured only where they are named. gpu fetches packages once, and estimates the time of a graphics card
 without one, from the cycles that Mesa's compiler states for the shaders (tools/gpu). card measures the time of this
-machine's graphics card, in a window.
+machine's graphics card, in a window. instructions counts, in qemu, the instructions of the core's kernels for SSE2, AVX2
+and NEON, and compares the bits that they write (tools/instructions).
 """
 
 import argparse

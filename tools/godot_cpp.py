@@ -5,11 +5,12 @@ import argparse
 import sys
 from pathlib import Path
 
-from building import binding, godot_cpp
-from toolchain import python_tools
-from toolchain.place import environment_with
-
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "extension/binding"))
+
+from building import binding, godot_cpp  # noqa: E402  (the path above comes first)
+from generate import read_class_list  # noqa: E402
+from toolchain import python_tools  # noqa: E402
 
 
 def main():
@@ -21,9 +22,8 @@ def main():
     parser.add_argument("--without-threads", action="store_true")
     parser.add_argument("--jobs", type=int, default=1)
     options = parser.parse_args()
-    command, folders = python_tools.scons_command()
-    environment = environment_with(**({"PYTHONPATH": folders} if folders else {}))
-    profile = godot_cpp.write_profile(ROOT)
+    command, environment = python_tools.scons()
+    profile = godot_cpp.write_profile(ROOT, read_class_list(ROOT / "extension/binding/classes.txt"))
     try:
         binding.dump_api(options.godot, ROOT / "build/api")
         for kind in options.kinds.split(","):

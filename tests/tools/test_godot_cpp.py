@@ -9,10 +9,11 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "extension/binding")]
 
 from building import godot_cpp
-from toolchain import python_tools
+from dry_run import dry_run, make_checkout
+from generate import read_class_list
 
 SUFFIX = "linux.template_debug.x86_64"
 
@@ -52,9 +53,10 @@ class GodotCpp(unittest.TestCase):
             self.assertEqual(self.choose(words=(word,)), "")
 
     def test_the_profile_lists_the_classes_in_use(self):
-        (self.root / "extension/binding").mkdir(parents=True)
-        (self.root / "extension/binding/classes.txt").write_text("# Words.\nArea3D\n\nNode3D\n")
-        names = json.loads(Path(godot_cpp.write_profile(self.root)).read_text())["enabled_classes"]
+        listed = self.root / "classes.txt"
+        listed.write_text("# Words.\nArea3D\n\nNode3D\n")
+        profile = Path(godot_cpp.write_profile(self.root, read_class_list(listed)))
+        names = json.loads(profile.read_text())["enabled_classes"]
         self.assertEqual(names, ["Area3D", "Node3D", *godot_cpp.IN_SIGNATURES])
 
     def test_libraries_of_both_kinds_are_built_with_the_definitions_of_the_add_on(self):
@@ -69,19 +71,13 @@ class GodotCpp(unittest.TestCase):
 
     @unittest.skipUnless(sys.platform == "linux" and os.uname().machine == "x86_64", "the names are those of Linux on x86_64")
     def test_sconstruct_compiles_against_a_built_submodule(self):
-        for name in ("build", "demo_project"):
-            (self.root / name).mkdir()
-        for name in ("SConstruct", "addons", "extension", "tests", "tools"):
-            (self.root / name).symlink_to(ROOT / name)
+        make_checkout(self.root)
         folder = self.put_library()
-        command, folders = python_tools.scons_command()
-        environment = {**os.environ, **({"PYTHONPATH": os.pathsep.join(map(str, folders))} if folders else {})}
-        done = subprocess.run([*command, "-Q", "-n", "verbose=yes", "build"], cwd=self.root, env=environment,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.assertEqual(done.returncode, 0, done.stdout[-2000:])
-        self.assertIn(f"The library is compiled against godot-cpp in {folder}.", done.stdout)
-        self.assertIn(f"-isystem {folder}/include", done.stdout)
-        self.assertNotIn("extension/binding/src", done.stdout)
+        status, output = dry_run(self.root, "build")
+        self.assertEqual(status, 0, output[-2000:])
+        self.assertIn(f"The library is compiled against godot-cpp in {folder}.", output)
+        self.assertIn(f"-isystem {folder}/include", output)
+        self.assertNotIn("extension/binding/src", output)
 
 
 @unittest.skipUnless((ROOT / ".git").exists(), "a checkout without git has no submodules")

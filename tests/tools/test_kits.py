@@ -2,7 +2,6 @@
 
 import os
 import shlex
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -12,8 +11,8 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 from building import compiler, kits
+from dry_run import dry_run, make_checkout
 from shipping import archive
-from toolchain import python_tools
 
 XCRUN = "#!/bin/sh\necho /SDK/iPhoneOS.sdk\n"
 
@@ -42,18 +41,10 @@ class Kits(unittest.TestCase):
         """(exit status, output) of a dry run with the real SConstruct, in a checkout of its own."""
         checkout = self.folder / "checkout"
         if not checkout.exists():
-            for name in ("build", "demo_project"):
-                (checkout / name).mkdir(parents=True)
-            for name in ("SConstruct", "addons", "extension", "tests", "tools"):
-                (checkout / name).symlink_to(ROOT / name)
-        command, folders = python_tools.scons_command()
-        path = os.pathsep.join([str(self.folder / "kit"), os.environ["PATH"]])
-        changes = {"PATH": path, "PYTHONDONTWRITEBYTECODE": "1", **environment}
-        changes.update({"PYTHONPATH": os.pathsep.join(map(str, folders))} if folders else {})
-        kept = {name: value for name, value in os.environ.items() if name != "ANDROID_NDK_ROOT"}
-        done = subprocess.run([*command, "-Q", "-n", "verbose=yes", f"godot_cpp={self.folder}", *words], cwd=checkout,
-                              env={**kept, **changes}, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        return done.returncode, done.stdout
+            make_checkout(checkout)
+        unset = {"ANDROID_NDK_ROOT"} - set(environment)
+        return dry_run(checkout, f"godot_cpp={self.folder}", *words, without=unset, PATH=[self.folder / "kit"],
+                       PYTHONDONTWRITEBYTECODE="1", **environment)
 
     def commands(self, platform, arch, kind="debug", **environment):
         """(commands that compile by file, command that links) of the library for `platform` and `arch`."""

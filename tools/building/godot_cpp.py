@@ -35,15 +35,8 @@ def chosen(root, named, suffixes, platform, is_own_compiler, words):
     return folder if fits and all(os.path.isfile(library(folder, suffix, platform)) for suffix in suffixes) else ""
 
 
-def listed_classes(text):
-    """The names in extension/binding/classes.txt."""
-    return [line.strip() for line in text.splitlines() if line.strip() and not line.startswith("#")]
-
-
-def write_profile(root):
-    """Writes the engine classes that the library uses as a build profile. Returns its path."""
-    with open(os.path.join(root, "extension/binding/classes.txt"), encoding="utf-8") as file:
-        names = listed_classes(file.read())
+def write_profile(root, names):
+    """Writes the engine classes that the library uses, `names`, as a build profile. Returns its path."""
     path = os.path.join(root, PROFILE)
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:

@@ -1,7 +1,7 @@
 """qemu for programs of Linux on other processors, from Debian's packages, in .toolchain/emulators: the kind that loads plugins."""
 
-import os
 import re
+import shutil
 import subprocess
 from dataclasses import dataclass
 
@@ -44,6 +44,6 @@ def fetch(processor):
 def fill(folder, what, packages, architecture):
     debian.unpack(what, packages, folder, REMEDY, suite=debian.OWN, architecture=architecture)
     for name in ("share", "sbin"):
-        subprocess.run(["rm", "-rf", str(folder / "usr" / name)], check=True)
-    if os.path.isdir(folder / "usr/lib") and not (folder / "lib").exists():
+        shutil.rmtree(folder / "usr" / name, ignore_errors=True)
+    if (folder / "usr/lib").is_dir() and not (folder / "lib").exists():
         (folder / "lib").symlink_to("usr/lib")

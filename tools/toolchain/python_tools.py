@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from . import debian
-from .place import Missing, make_folder, say
+from .place import Missing, environment_with, make_folder, say
 
 OLDEST_SCONS = (4, 0)
 SCONS = ["scons==4.11.1"]
@@ -68,6 +68,12 @@ def scons_command():
         if (scons_version(answer.stdout) or (0, 0)) >= OLDEST_SCONS:
             return [own], []
     return [sys.executable, "-m", "SCons"], [fetch("scons", SCONS)]
+
+
+def scons(**changes):
+    """(words that start SCons, its environment with `changes`)."""
+    command, folders = scons_command()
+    return command, environment_with(PYTHONPATH=folders, **changes)
 
 
 def formatter_folder():

@@ -4,7 +4,7 @@ import os
 import subprocess
 
 from . import headers, python_tools
-from .place import Missing, ROOT, environment_with
+from .place import Missing, ROOT
 
 ZIG = ["ziglang==0.17.1"]
 
@@ -16,9 +16,7 @@ def fetch():
 
 def build(platform, arch, *words, program=None, jobs=None):
     """`scons WORDS` for another system; raises Missing on failure. Another scons may be running."""
-    command, folders = python_tools.scons_command()
-    changes = {"PYTHONPATH": folders} if folders else {}
-    environment = environment_with(PYTHONDONTWRITEBYTECODE="1", CPLUS_INCLUDE_PATH=str(headers.private_folder()), **changes)
+    command, environment = python_tools.scons(PYTHONDONTWRITEBYTECODE="1", CPLUS_INCLUDE_PATH=str(headers.private_folder()))
     all_words = [*command, "-Q", f"-j{jobs or os.cpu_count() or 1}", *words, f"platform={platform}", f"arch={arch}",
                  f"zig={program or fetch()}"]
     if subprocess.run(all_words, cwd=ROOT, env=environment).returncode != 0:
