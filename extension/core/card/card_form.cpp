@@ -112,9 +112,9 @@ bool draws_enough(const CardForm &form, const CardSheet &sheet, const FormPlan &
 
 } // namespace
 
-CardForm make_card_form(const PlantForm &form, const FormMeasure &measure, const CardSheet &sheet) {
+CardForm make_card_form(const PlantForm &form, const FormMeasure &measure, const CardSheet &sheet, CardReach drawn) {
 	CardForm made;
-	const CardPlaces all = place_cards(form, sheet.groups);
+	const CardPlaces all = place_cards(form, sheet.groups, drawn);
 	if (sheet.is_empty() || all.places.empty()) {
 		return made;
 	}

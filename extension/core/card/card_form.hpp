@@ -19,8 +19,10 @@ struct CardForm {
 	bool is_empty() const { return places.empty(); }
 };
 
-/// `measure`: of `form`. `sheet`: of the same species, from any seed. Empty without a place for a card.
-CardForm make_card_form(const PlantForm &form, const FormMeasure &measure, const CardSheet &sheet);
+/// `measure`: of `form`. `sheet`: of the same species, from any seed. `drawn`: near or far. Empty without a place for a
+/// card.
+CardForm make_card_form(
+		const PlantForm &form, const FormMeasure &measure, const CardSheet &sheet, CardReach drawn = CardReach::near);
 
 /// The drawn parts and cards of a plant at one level.
 struct CardPlan {

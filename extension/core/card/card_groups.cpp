@@ -17,6 +17,9 @@ namespace {
 
 constexpr float TIP = 0.75f; // Offset from which parts belong to a head.
 constexpr int MIN_PARTS = 16; // Of a flat card.
+constexpr int MIN_TWIG_PARTS = 48; // Of a twig, with all that they carry.
+constexpr int MIN_TWIGS = 8; // On a plant.
+constexpr float MAX_BUD = 0.015f; // m, mean length of the parts on a twig: from 2 m on, larger ones are single shapes.
 constexpr int MIN_HEAD_PARTS = 3; // Of a head, and of each kind in it, with all that they carry.
 constexpr float MIN_FLAT_SPAN = 0.4f; // Of offsets.
 constexpr float MAX_DEPTH_SHARE = 0.25f; // Of the extent across, for flat cards.
@@ -38,6 +41,8 @@ struct Candidate {
 	double across = 0.0; ///< Sums of squares.
 	double depth = 0.0;
 	float size = 0.0f; ///< Sum of lengths times widths.
+	double length = 0.0; ///< Sum (m) of parts that carry nothing.
+	int bare = 0; ///< Number of these.
 	int last_carrier = ON_GROUND;
 };
 using Key = std::pair<int, int>; ///< Kinds of carrier and part.
@@ -53,6 +58,12 @@ int petals_of(const Part &part) {
 std::map<Key, Candidate> list_candidates(const PlantForm &form) {
 	std::map<Key, Candidate> all;
 	std::map<int, CardAxis> axes;
+	std::vector<bool> carries(form.placed.size(), false);
+	for (const PlacedPart &part : form.placed) {
+		if (part.carrier != ON_GROUND) {
+			carries[static_cast<size_t>(part.carrier)] = true;
+		}
+	}
 	for (size_t i = 0; i < form.placed.size(); i++) {
 		const PlacedPart *part = &form.placed[i];
 		for (bool is_direct = true; part->carrier != ON_GROUND; is_direct = false) {
@@ -61,6 +72,8 @@ std::map<Key, Candidate> list_candidates(const PlantForm &form) {
 			own.parts++;
 			own.petals += petals_of(form.parts[static_cast<size_t>(form.placed[i].kind)]);
 			own.size += form.placed[i].length * form.placed[i].width;
+			own.length += carries[i] ? 0.0 : static_cast<double>(form.placed[i].length);
+			own.bare += carries[i] ? 0 : 1;
 			if (is_direct) {
 				own.direct++;
 				own.carriers += own.last_carrier != part->carrier ? 1 : 0;
@@ -164,14 +177,14 @@ std::vector<CardGroup> split_by_carriers(const PlantForm &form, int carrier_kind
 }
 
 /// Returns the group of a part on a carrier with parts of these kinds: the one that has most of them in common, or -1.
-int group_of(const std::vector<CardGroup> &groups, int carrier_kind, int kind, const Kinds &carried) {
+int group_of(const std::vector<CardGroup> &groups, CardReach drawn, int carrier_kind, int kind, const Kinds &carried) {
 	int best = -1;
 	size_t most = 0;
 	for (size_t g = 0; g < groups.size(); g++) {
 		const std::vector<int> &own = groups[g].carried;
 		const size_t common = count_common(carried, own);
-		if (groups[g].carrier_kind == carrier_kind && std::binary_search(own.begin(), own.end(), kind) &&
-				common > most && 2 * common >= own.size()) {
+		if (groups[g].is_drawn(drawn) && groups[g].carrier_kind == carrier_kind &&
+				std::binary_search(own.begin(), own.end(), kind) && common > most && 2 * common >= own.size()) {
 			best = static_cast<int>(g);
 			most = common;
 		}
@@ -223,6 +236,63 @@ void measure_extents(const PlantForm &form, const std::vector<CardGroup> &groups
 	}
 }
 
+/// True if a part of this kind carries any of these kinds, directly or on other parts.
+bool has_on_it(const std::map<Key, Candidate> &all, int kind, const std::vector<CardGroup> &groups) {
+	return std::any_of(groups.begin(), groups.end(), [&](const CardGroup &group) {
+		return group.carrier_kind == kind || all.count({ kind, group.carrier_kind }) > 0;
+	});
+}
+
+/// Returns the kinds directly on a twig with many tiny parts around it, as of heather. Empty if it is no such twig.
+std::vector<int> kinds_on_twig(const std::map<Key, Candidate> &all, int carrier) {
+	std::vector<int> kinds;
+	Candidate whole;
+	for (const auto &[key, own] : all) {
+		if (key.first != carrier) {
+			continue;
+		}
+		whole.parts += own.parts;
+		whole.length += own.length;
+		whole.bare += own.bare;
+		if (own.direct > 0) {
+			kinds.push_back(key.second);
+			whole.carriers = std::max(whole.carriers, own.carriers);
+			whole.low = std::min(whole.low, own.low);
+			whole.high = std::max(whole.high, own.high);
+			whole.across += own.across;
+			whole.depth += own.depth;
+		}
+	}
+	const bool is_twig = whole.carriers >= MIN_TWIGS && whole.parts >= MIN_TWIG_PARTS * whole.carriers &&
+			whole.high - whole.low >= MIN_FLAT_SPAN && !is_in_plane(whole) &&
+			whole.length <= static_cast<double>(MAX_BUD) * whole.bare;
+	return is_twig ? kinds : std::vector<int>();
+}
+
+/// Adds the twigs that carry no others, and those that no others carry.
+void add_twigs(const PlantForm &form, const std::map<Key, Candidate> &all, std::vector<CardGroup> &groups) {
+	std::vector<CardGroup> twigs;
+	for (int kind = 0; kind < static_cast<int>(form.parts.size()); kind++) {
+		const std::vector<int> kinds = kinds_on_twig(all, kind);
+		if (!kinds.empty() && !has_on_it(all, kind, groups)) {
+			twigs.push_back({ kind, kinds, CardShape::strip });
+		}
+	}
+	const auto has_carrier = [&](const CardGroup &twig) {
+		return std::any_of(twigs.begin(), twigs.end(),
+				[&](const CardGroup &other) { return all.count({ other.carrier_kind, twig.carrier_kind }) > 0; });
+	};
+	for (CardGroup twig : twigs) {
+		const bool is_near = std::none_of(twigs.begin(), twigs.end(),
+				[&](const CardGroup &other) { return all.count({ twig.carrier_kind, other.carrier_kind }) > 0; });
+		const bool is_far = !has_carrier(twig);
+		twig.reach = is_near && is_far ? CardReach::any : is_near ? CardReach::near : CardReach::far;
+		if ((is_near || is_far) && groups.size() < MAX_CARD_GROUPS) {
+			groups.push_back(twig);
+		}
+	}
+}
+
 } // namespace
 
 std::vector<CardGroup> find_card_groups(const PlantForm &form) {
@@ -263,10 +333,11 @@ std::vector<CardGroup> find_card_groups(const PlantForm &form) {
 	for (size_t i = 0; i < std::min(found.size(), MAX_CARD_GROUPS); i++) {
 		groups.push_back(found[i].second);
 	}
+	add_twigs(form, all, groups);
 	return groups;
 }
 
-CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &groups) {
+CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &groups, CardReach drawn) {
 	CardPlaces all;
 	all.owners.assign(form.placed.size(), -1);
 	std::map<Key, int> known; // Carrier and group.
@@ -278,7 +349,7 @@ CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &grou
 		}
 		const int inherited = all.owners[static_cast<size_t>(part.carrier)];
 		const int group = inherited >= 0 ? -1
-										 : group_of(groups, part_at(form, part.carrier).kind, part.kind,
+										 : group_of(groups, drawn, part_at(form, part.carrier).kind, part.kind,
 												   carried[static_cast<size_t>(part.carrier)]);
 		if (group >= 0) {
 			const Key key = { part.carrier, group };

@@ -10,8 +10,15 @@ namespace undergrowth {
 enum class CardShape {
 	flat, ///< Along the midrib of its carrier, in the plane of the carrier: fronds, feathered leaves.
 	leaf, ///< At the tip of its carrier, in the plane of the carrier: palmate leaves.
-	strip, ///< Along an axis, turned about it to the camera: ears, spikes, panicles.
+	strip, ///< Along an axis, turned about it to the camera: ears, spikes, panicles, twigs of a shrub.
 	head, ///< Turned to the camera in both directions, with pictures from several heights: flowers, umbels, balls.
+};
+
+/// Twigs on twigs are in two groups, of which a form draws one.
+enum class CardReach {
+	any, ///< All forms draw it.
+	near, ///< Forms with the vertices for many small cards.
+	far, ///< All others: one card for several of the near ones.
 };
 
 /// Parts that one picture replaces: parts of some kinds on carriers of one kind, and everything on these parts. Kinds
@@ -20,7 +27,9 @@ struct CardGroup {
 	int carrier_kind = 0;
 	std::vector<int> carried; ///< Kinds of the parts on the carrier, ascending.
 	CardShape shape = CardShape::flat;
+	CardReach reach = CardReach::any;
 
+	bool is_drawn(CardReach drawn) const { return reach == CardReach::any || reach == drawn; }
 	int layers() const { return shape == CardShape::head ? HEAD_VIEW_COUNT : 1; }
 };
 
@@ -50,12 +59,12 @@ struct CardPlaces {
 	std::vector<int> owners; ///< By placed part: its place, or -1.
 };
 
-/// Returns the groups of small parts that pictures can replace: many flat parts on a midrib, and heads of many parts at
-/// the tip of a stem. The largest groups first, at most MAX_CARD_GROUPS.
+/// Returns the groups of small parts that pictures can replace: many flat parts on a midrib, heads of many parts at the
+/// tip of a stem, and many tiny parts around a twig. The largest groups first, then twigs; at most MAX_CARD_GROUPS.
 std::vector<CardGroup> find_card_groups(const PlantForm &form);
 
-/// Returns where the parts of these groups are in a form of any seed.
-CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &groups);
+/// Returns where the parts of the drawn groups are in a form of any seed. `drawn`: near or far.
+CardPlaces place_cards(const PlantForm &form, const std::vector<CardGroup> &groups, CardReach drawn = CardReach::near);
 
 inline constexpr size_t MAX_CARD_GROUPS = 4;
 

@@ -75,6 +75,11 @@ void add_layers(const PlantForm &form, const CardPlaces &all, int place, CardSha
 
 } // namespace
 
+bool CardSheet::has_far_cards() const {
+	return std::any_of(
+			groups.begin(), groups.end(), [](const CardGroup &group) { return group.reach == CardReach::far; });
+}
+
 size_t CardSheet::size() const {
 	size_t sum = 0;
 	for (const CardLayer &layer : pictures) {
@@ -96,11 +101,15 @@ float texel_of(const CardSheet &sheet) {
 CardSheet make_card_sheet(const PlantForm &form) {
 	CardSheet sheet;
 	const std::vector<CardGroup> found = find_card_groups(form);
-	const CardPlaces all = place_cards(form, found);
+	const CardPlaces near = place_cards(form, found, CardReach::near);
+	const CardPlaces far = place_cards(form, found, CardReach::far);
+	const auto places_of = [&](const CardGroup &group) -> const CardPlaces & {
+		return group.is_drawn(CardReach::near) ? near : far;
+	};
 	std::vector<int> shown;
 	int layers = 0;
 	for (size_t g = 0; g < found.size(); g++) {
-		const int place = shown_place(all, static_cast<int>(g));
+		const int place = shown_place(places_of(found[g]), static_cast<int>(g));
 		if (place >= 0) {
 			sheet.groups.push_back(found[g]);
 			sheet.layers.push_back(layers);
@@ -120,7 +129,7 @@ CardSheet make_card_sheet(const PlantForm &form) {
 		}
 	}
 	for (size_t i = 0; i < shown.size(); i++) {
-		add_layers(form, all, shown[i], sheet.groups[i].shape, sheet);
+		add_layers(form, places_of(sheet.groups[i]), shown[i], sheet.groups[i].shape, sheet);
 	}
 	return sheet;
 }

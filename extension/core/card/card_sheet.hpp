@@ -33,6 +33,8 @@ struct CardSheet {
 	std::vector<CardLayer> pictures; ///< By layer.
 
 	bool is_empty() const { return pictures.empty(); }
+	/// True if coarse forms draw other cards than fine ones.
+	bool has_far_cards() const;
 	/// Bytes of all layers in video memory.
 	size_t size() const;
 };

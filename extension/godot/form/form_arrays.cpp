@@ -108,13 +108,23 @@ static Vector2 from_above(const FormMeasure &measure, const MeshCounts &counts, 
 	return side > 0.0f ? Vector2(measure.from_above, own) / side : Vector2();
 }
 
+// Near cards, or far ones where the near ones are too many. Empty if none fit.
+static CardPlan plan_any_cards(const GrownPlant &grown, const SampledPlant &sampled, int rows, const CardForm *&form) {
+	CardPlan cards;
+	for (const CardReach reach : { CardReach::near, CardReach::far }) {
+		const bool is_offered = sampled.cards && (reach == CardReach::near || sampled.cards->sheet().has_far_cards());
+		if (is_offered && cards.is_empty()) {
+			form = &grown.card_form(sampled.cards->sheet(), reach);
+			cards = plan_cards(*form, sampled.cards->sheet(), vertex_budget(sampled.lod), rows);
+		}
+	}
+	return cards;
+}
+
 MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sampled, Vector2 *above) {
 	const int rows = sampled.stem ? sampled.stem->joints : 0;
-	CardPlan cards;
-	if (sampled.cards) {
-		const CardSheet &sheet = sampled.cards->sheet();
-		cards = plan_cards(grown.card_form(sheet), sheet, vertex_budget(sampled.lod), rows);
-	}
+	const CardForm *card_form = nullptr;
+	const CardPlan cards = plan_any_cards(grown, sampled, rows, card_form);
 	FormPlan plan;
 	if (cards.is_empty()) {
 		plan = plan_form(grown.form, grown.measure(), vertex_budget(sampled.lod));
@@ -127,13 +137,11 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 		build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
 				sampled.height, arrays.buffers());
 	} else {
-		build_card_mesh(grown.card_form(sampled.cards->sheet()), cards, none, sampled.options, sampled.height,
-				arrays.buffers());
+		build_card_mesh(*card_form, cards, none, sampled.options, sampled.height, arrays.buffers());
 	}
 	if (above) {
-		*above = cards.is_empty()
-				? from_above(grown.measure(), counts, arrays)
-				: from_above(grown.card_form(sampled.cards->sheet()).measure, cards.rest.counts, arrays);
+		*above = cards.is_empty() ? from_above(grown.measure(), counts, arrays)
+								  : from_above(card_form->measure, cards.rest.counts, arrays);
 	}
 	if (sampled.stem) {
 		bind_to_joints(sampled.stem->joints, counts.vertices, arrays.stem_places.ptr(), arrays.bones.ptrw(),
@@ -143,8 +151,7 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
 	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty(),
 		cards.is_empty() ? has_open_bodies(grown.form, plan) : cards.rest.body_count > 0,
-		cards.is_empty() ? facets_of(grown.form, plan)
-						 : facets_of(grown.card_form(sampled.cards->sheet()).rest, cards.rest) };
+		cards.is_empty() ? facets_of(grown.form, plan) : facets_of(card_form->rest, cards.rest) };
 }
 
 } // namespace undergrowth

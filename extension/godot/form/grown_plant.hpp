@@ -6,6 +6,7 @@
 #include "mesh/form_measure.hpp"
 #include "mesh/part_attachment.hpp"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -35,10 +36,12 @@ public:
 		return measured;
 	}
 
-	/// The same plant with cards, made at the first call. `sheet`: the one of its species. Any thread.
-	const CardForm &card_form(const CardSheet &sheet) const {
-		std::call_once(has_card_form, [this, &sheet] { with_cards = make_card_form(form, measure(), sheet); });
-		return with_cards;
+	/// The same plant with cards, made at the first call. `sheet`: the one of its species. `drawn`: near or far. Any
+	/// thread.
+	const CardForm &card_form(const CardSheet &sheet, CardReach drawn) const {
+		const size_t i = drawn == CardReach::far ? 1 : 0;
+		std::call_once(has_card_form[i], [&] { with_cards[i] = make_card_form(form, measure(), sheet, drawn); });
+		return with_cards[i];
 	}
 
 	/// Returns the looks of a level with `segments`. `measure` runs once for each number of segments, with and without
@@ -61,8 +64,8 @@ private:
 	mutable std::map<std::pair<int, bool>, LevelLooks> looks; ///< By segments, with and without cards.
 	mutable std::once_flag is_measured;
 	mutable FormMeasure measured;
-	mutable std::once_flag has_card_form;
-	mutable CardForm with_cards;
+	mutable std::array<std::once_flag, 2> has_card_form; ///< Near, far.
+	mutable std::array<CardForm, 2> with_cards;
 };
 
 } // namespace undergrowth

@@ -130,6 +130,40 @@ PlantForm grow_bell(bool has_lobes) {
 	return growth.finish();
 }
 
+constexpr int STEMS = 10;
+constexpr int BRANCHES = 3;
+
+/// A low shrub: three branches on each of ten stems, and sixty buds of this length (m) around each branch.
+PlantForm grow_shrub(float bud_length) {
+	Growth growth(0.3f, 1);
+	Part stem, branch, bud;
+	stem.kind = branch.kind = PartKind::axis;
+	stem.length_min = stem.length_max = 0.3f;
+	stem.width = 0.004f;
+	branch.length_min = branch.length_max = 0.1f;
+	branch.width = 0.002f;
+	bud.length_min = bud.length_max = bud_length;
+	bud.width = 0.003f;
+	int kind = 0;
+	for (const Part &part : { stem, branch, bud }) {
+		REQUIRE(growth.add_kind(part, kind) == "");
+	}
+	Arrangement tuft, around, buds;
+	tuft.layout = Layout::ground;
+	tuft.count_min = tuft.count_max = STEMS;
+	around.count_min = around.count_max = BRANCHES;
+	around.from = 0.2f;
+	around.angle = { 0.9f, 0.5f };
+	buds.count_min = buds.count_max = 60;
+	buds.from = 0.2f;
+	buds.angle = { 0.9f, 0.5f };
+	std::vector<int> stems, branches, all;
+	REQUIRE(growth.arrange(0, tuft, { ON_GROUND }, stems) == "");
+	REQUIRE(growth.arrange(1, around, stems, branches) == "");
+	REQUIRE(growth.arrange(2, buds, branches, all) == "");
+	return growth.finish();
+}
+
 } // namespace
 
 TEST_CASE("heads and flat fronds are found, single parts are not") {
@@ -151,6 +185,27 @@ TEST_CASE("flowers of few petals are heads") {
 	REQUIRE(tulip.size() == 1);
 	CHECK(tulip[0].shape == CardShape::head);
 	CHECK(tulip[0].carried.size() == 3); // Two kinds of tepals, and stamens.
+}
+
+TEST_CASE("twigs with tiny parts have a picture each for near forms, and one for several of them for far forms") {
+	const PlantForm form = grow_shrub(0.008f);
+	const CardSheet sheet = make_card_sheet(form);
+	REQUIRE(sheet.groups.size() == 2);
+	CHECK(sheet.has_far_cards());
+	const CardPlaces near = place_cards(form, sheet.groups, CardReach::near);
+	const CardPlaces far = place_cards(form, sheet.groups, CardReach::far);
+	CHECK(near.places.size() == STEMS * BRANCHES);
+	CHECK(far.places.size() == STEMS);
+	for (const CardPlaces *places : { &near, &far }) {
+		for (const CardPlace &place : places->places) {
+			CHECK(sheet.groups[static_cast<size_t>(place.group)].shape == CardShape::strip);
+		}
+	}
+	CHECK_FALSE(make_card_sheet(grow_fern(2)).has_far_cards());
+}
+
+TEST_CASE("leaves that are seen one by one are not in the picture of a twig") {
+	CHECK(find_card_groups(grow_shrub(0.03f)).empty());
 }
 
 TEST_CASE("a bell is in the picture of its flower") {

@@ -316,8 +316,8 @@ void fit_drafts(FieldRenderSetup &setup) {
 	}
 }
 
-// Divides the triangles by the square root of the densities. What a species does not need is left for those that need
-// more.
+// Divides the triangles so that the errors, weighted by the root of the densities, have the smallest sum: triangles are
+// as the inverse square of the factor of the error. What a species does not need is left for those that need more.
 void fit_levels(FieldRenderSetup &setup) {
 	struct Share {
 		SpeciesStyle *style;
@@ -329,7 +329,8 @@ void fit_levels(FieldRenderSetup &setup) {
 		fit_levels(setup, style);
 		if (setup.rule.is_by_error && !style.errors.empty() && style.density > 0.0f) {
 			const std::vector<FieldLevel> levels = fitted(setup, style, 1.0f);
-			shares.push_back({ &style, triangles_in_view(setup, style, levels), std::sqrt(style.density) });
+			const float need = triangles_in_view(setup, style, levels);
+			shares.push_back({ &style, need, std::cbrt(need * style.density) });
 			weights += shares.back().weight;
 		}
 	}

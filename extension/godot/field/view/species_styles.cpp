@@ -27,6 +27,7 @@ static constexpr float BODY_SHARE = 3.0f;
 static constexpr float TEXELS = 2.0f; // As an error: a texel is at most half of the allowed pixels.
 static constexpr float SHARPEST = 0.0018f; // m, as an error: nearer, parts are seen to be flat.
 static constexpr float MIN_CARD_GAIN = 0.85f;
+static constexpr float MIN_GAIN_AFTER_CARDS = 1.25f; // A change from cards to solid parts is seen.
 static constexpr int CLOSEST_SEGMENTS = 33; // Of the first level of plants of many parts,
 static constexpr int MANY_PARTS = 64; // which need more than the vertices of this number of segments.
 static constexpr float MAX_CLOSEST_ERROR = 0.004f; // m: plumes and fronds that this form cannot show stay on cards.
@@ -154,7 +155,8 @@ LevelLooks SpeciesStyle::measure_level(size_t level, bool has_cards, std::vector
 // be better by a margin. A body in place of open parts looks wrong, even if its outline is better.
 void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies) {
 	const float sharpest = std::max(TEXELS * texel_of(cards->sheet()), SHARPEST);
-	const float most = MIN_CARD_GAIN * (has_bodies ? BODY_SHARE : 1.0f) * errors[level];
+	const float gain = has_cards_before(level) ? MIN_GAIN_AFTER_CARDS : MIN_CARD_GAIN;
+	const float most = gain * (has_bodies ? BODY_SHARE : 1.0f) * errors[level];
 	if (sharpest >= most) {
 		return; // Cards are not measured where their texels alone are too large.
 	}
@@ -167,7 +169,7 @@ void SpeciesStyle::measure_cards(size_t level, std::vector<std::optional<LevelEr
 	const float blurred = std::max(own, sharpest);
 	const float allowed = std::max(blurred, std::min(own / CARD_SHARE, finest));
 	are_carded[level] = (has_bodies ? blurred : allowed) < most;
-	errors[level] = are_carded[level] ? allowed : errors[level];
+	errors[level] = are_carded[level] ? std::min(allowed, errors[level]) : errors[level];
 	triangles[level] = are_carded[level] ? float(looks.triangles) : triangles[level];
 }
 
@@ -195,6 +197,20 @@ void SpeciesStyle::measure_closest(float solid_triangles, std::vector<std::optio
 	have_bodies[0] = looks.has_bodies;
 }
 
+void SpeciesStyle::measure_forms(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines) {
+	const LevelLooks solid = measure_level(level, false, outlines);
+	errors[level] = solid.error;
+	triangles[level] = float(solid.triangles);
+	have_bodies[level] = solid.has_bodies;
+	if (has_cards) {
+		measure_cards(level, outlines, solid.has_bodies);
+	}
+	if (level == 0 && are_carded[0]) {
+		measure_closest(float(solid.triangles), outlines);
+	}
+}
+
+// Levels for solid plants are only measured if no level has cards.
 void SpeciesStyle::measure() {
 	if (!is_by_error || samples.empty()) {
 		return;
@@ -206,17 +222,15 @@ void SpeciesStyle::measure() {
 	const bool has_cards = cards && !cards->sheet().is_empty();
 	std::vector<std::optional<LevelError>> outlines(std::min(samples[0].size(), MEASURED_VARIANTS));
 	are_carded.assign(samples.size(), false);
-	for (size_t level = 0; level < samples.size(); level++) {
-		const bool is_offered = !has_cards || !is_for_solids(segments_at(levels[level]));
-		const LevelLooks solid = is_offered ? measure_level(level, false, outlines) : LevelLooks();
-		errors.push_back(is_offered ? solid.error : std::numeric_limits<float>::infinity());
-		triangles.push_back(float(solid.triangles));
-		have_bodies.push_back(solid.has_bodies);
-		if (has_cards && is_offered) {
-			measure_cards(level, outlines, solid.has_bodies);
-		}
-		if (level == 0 && are_carded[0]) {
-			measure_closest(float(solid.triangles), outlines);
+	errors.assign(samples.size(), std::numeric_limits<float>::infinity());
+	triangles.assign(samples.size(), 0.0f);
+	have_bodies.assign(samples.size(), false);
+	for (const bool is_for_all : { true, false }) {
+		const bool are_solid = std::none_of(are_carded.begin(), are_carded.end(), [](bool one) { return one; });
+		for (size_t level = 0; level < samples.size() && (is_for_all || are_solid); level++) {
+			if (is_for_all == !is_for_solids(segments_at(levels[level]))) {
+				measure_forms(level, has_cards && is_for_all, outlines);
+			}
 		}
 	}
 	texel = has_cards ? texel_of(cards->sheet()) : 0.0f;

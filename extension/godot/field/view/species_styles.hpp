@@ -177,6 +177,7 @@ private:
 	void build_meshes();
 	void measure_models();
 	void find_sources();
+	void measure_forms(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
 	void measure_closest(float solid_triangles, std::vector<std::optional<LevelError>> &outlines);
 	LevelLooks measure_level(size_t level, bool has_cards, std::vector<std::optional<LevelError>> &outlines);
 	void measure_cards(size_t level, std::vector<std::optional<LevelError>> &outlines, bool has_bodies);
