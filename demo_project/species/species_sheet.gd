@@ -30,6 +30,11 @@ const SPECIES := {
 	"ivy_carpet": ["Hedera helix", 2, 1.0, 0.12],
 	"wild_strawberry": ["Fragaria vesca", 4, 1.0, 0.06],
 	"seedlings": ["Fagus sylvatica", 3, 1.0, 0.05],
+	"heather": ["Calluna vulgaris", 3, 1.0, 0.08],
+	"bramble": ["Rubus fruticosus", 2, 0.9, 0.3],
+	"hazel": ["Corylus avellana", 2, 0.9, 0.4],
+	"bamboo": ["Phyllostachys aurea", 3, 0.9, 0.4],
+	"dog_rose": ["Rosa canina", 2, 0.75, 0.25],
 }
 const SEGMENTS := 64
 const COLUMNS := 6
