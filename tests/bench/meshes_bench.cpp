@@ -3,6 +3,7 @@
 #include "form/growth.hpp"
 #include "mesh/form_mesh.hpp"
 #include "mesh/plant_mesh.hpp"
+#include "motion/part_bend.hpp"
 #include "plant/base_shape.hpp"
 #include "report.hpp"
 #include "stem/stem_recipe.hpp"
@@ -138,11 +139,42 @@ void time_stems(Report &report) {
 	report.row("stem_constants", 1, 1, median_ms([&] { solved = solve_recipe(recipe); }), SimdLevel::baseline);
 }
 
+/// The law of a leaf on a stem, and of a branch, a twig on it and a leaf on that, each for the motion of a plant.
+void time_orders(Report &report) {
+	constexpr int PLANTS = 10000;
+	std::vector<StemMotion> stems(PLANTS);
+	for (std::size_t i = 0; i < stems.size(); i++) {
+		stems[i].bend = { 1e-5f * static_cast<float>(i), 0.02f };
+		stems[i].rate = { 0.1f, -1e-5f * static_cast<float>(i) };
+		stems[i].air = 4.0f;
+	}
+	CarrierSwing chain[1 + MAX_INNER_SWINGS];
+	for (int k = 0; k <= MAX_INNER_SWINGS; k++) {
+		chain[k].weight = 0.6f;
+		chain[k].swing.frequency = 1.4f + 0.8f * static_cast<float>(k);
+		chain[k].swing.side = { 1.0f, 0.0f };
+	}
+	glm::vec2 sum(0.0f);
+	const auto time = [&](const char *name, int orders) {
+		report.row(name, PLANTS, 1, median_ms([&] {
+			for (const StemMotion &stem : stems) {
+				for (int k = 0; k < orders; k++) {
+					sum += part_bend(chain[k].swing, stem, chain, k);
+				}
+			}
+		}),
+				SimdLevel::baseline, member("sum", sum.x));
+	};
+	time("part_on_stem", 1);
+	time("parts_of_three_orders", 1 + MAX_INNER_SWINGS);
+}
+
 } // namespace
 
 void undergrowth::time_meshes(Report &report) {
 	time_forms(report);
 	time_stems(report);
+	time_orders(report);
 	const CrossSection section = make_cross_section(circle_ring(RING_POINTS));
 	const std::vector<float> widths(LOD + 1, 0.5f);
 	const std::vector<glm::vec4> colors(LOD + 1, glm::vec4(0.2f, 0.8f, 0.2f, 1.0f));
