@@ -55,6 +55,12 @@ float wave(float cycles) {
 	return static_cast<float>(std::sin(2.0 * PI * (cycles - std::floor(cycles))));
 }
 
+/// Value of a response to a base with this wave.
+float response_wave(float cycles, const glm::vec2 &response) {
+	const double turn = 2.0 * PI * (cycles - std::floor(cycles));
+	return response.x * static_cast<float>(std::sin(turn)) - response.y * static_cast<float>(std::cos(turn));
+}
+
 /// Bend of a part by the last drop on it: at most one in each second of the clock.
 float bend_by_drops(const PartMotion &part, float clock, float chance) {
 	constexpr float SECONDS = static_cast<float>(SWING_PERIOD);
@@ -123,8 +129,7 @@ glm::vec2 driven_bend(
 	const glm::vec2 fast = response_to_base(ratio, damping);
 	const glm::vec2 slow = response_to_base(SLOW * ratio, damping);
 	const FlutterWaves cycles = flutter_cycles(carrier.swing, stem);
-	const FlutterWaves waves = { fast.x * wave(cycles.one) - fast.y * wave(cycles.one + 0.25f),
-		slow.x * wave(cycles.other) - slow.y * wave(cycles.other + 0.25f) };
+	const FlutterWaves waves = { response_wave(cycles.one, fast), response_wave(cycles.other, slow) };
 	return (TURNED_BASE * carrier.weight) * flutter_bend(carrier.swing, wind, waves);
 }
 
