@@ -3,8 +3,10 @@
 #include "form/growth.hpp"
 #include "mesh/form_mesh.hpp"
 #include "mesh/plant_mesh.hpp"
+#include "motion/part_bend.hpp"
 #include "plant/base_shape.hpp"
 #include "report.hpp"
+#include "stem/stem_bones.hpp"
 #include "stem/stem_recipe.hpp"
 
 using namespace undergrowth;
@@ -138,11 +140,46 @@ void time_stems(Report &report) {
 	report.row("stem_constants", 1, 1, median_ms([&] { solved = solve_recipe(recipe); }), SimdLevel::baseline);
 }
 
+/// What a skeleton shows of a plant in each frame: its stem alone, and with one chain of a branch, a twig on it and a
+/// leaf on that.
+void time_orders(Report &report) {
+	constexpr int PLANTS = 10000;
+	StemRecipe recipe;
+	const SolvedStem solved = solve_recipe(recipe);
+	StemMotion motion;
+	motion.rate = { 0.1f, -0.1f };
+	motion.air = 4.0f;
+	CarrierSwing chain[1 + MAX_INNER_SWINGS];
+	for (int k = 0; k <= MAX_INNER_SWINGS; k++) {
+		chain[k].weight = 0.6f;
+		chain[k].swing.frequency = 1.4f + 0.8f * static_cast<float>(k);
+		chain[k].swing.side = { 1.0f, 0.0f };
+	}
+	float sum = 0.0f;
+	const auto time = [&](const char *name, int orders) {
+		const double run = median_ms([&] {
+			for (int i = 0; i < PLANTS; i++) {
+				motion.bend = { 1e-5f * static_cast<float>(i), 0.02f };
+				const PosedStem posed(*solved.in_air, 1.0f, motion);
+				StemLink links[MAX_STEM_JOINTS];
+				sum += stem_links(*solved.in_air, posed.amplitudes, links).x + links[0].turn.x;
+				for (int k = 0; k < orders; k++) {
+					sum += part_bend(chain[k].swing, motion, chain, k).x;
+				}
+			}
+		});
+		report.row(name, PLANTS, 1, run, SimdLevel::baseline, member("sum", static_cast<double>(sum)));
+	};
+	time("stem_shown", 0);
+	time("three_orders_shown", 1 + MAX_INNER_SWINGS);
+}
+
 } // namespace
 
 void undergrowth::time_meshes(Report &report) {
 	time_forms(report);
 	time_stems(report);
+	time_orders(report);
 	const CrossSection section = make_cross_section(circle_ring(RING_POINTS));
 	const std::vector<float> widths(LOD + 1, 0.5f);
 	const std::vector<glm::vec4> colors(LOD + 1, glm::vec4(0.2f, 0.8f, 0.2f, 1.0f));

@@ -41,6 +41,23 @@ func test_a_tulip_that_swings_back_in_a_turned_field() -> void:
 	await _compare(_tulip(), Transform3D(Basis(Vector3.UP, -2.1).scaled(Vector3.ONE * 2.5)), 38)
 
 
+func test_twigs_of_a_shrub_swing_on_its_branches() -> void:
+	await _compare(_shrub(), Transform3D(Basis(Vector3.UP, 0.7).scaled(Vector3.ONE * 1.2)), 13)
+
+
+## Without its twigs' own swing, the plant has another picture.
+func test_the_default_shader_draws_the_swing_of_each_order() -> void:
+	var orders := await _picture_of(_shrub())
+	var own := UNPACKED.replace("cull_disabled;", "cull_disabled;\n#define UNDERGROWTH_PACKED")
+	var rigid := await _picture_of(_shrub_with(own))
+	var again := await _picture_of(
+		_shrub_with(own.replace("PACKED", "PACKED\n#define UNDERGROWTH_ORDERS"))
+	)
+	check_equal(count_different(orders, again), 0, "pixels that differ with the macro")
+	var moved := count_different(orders, rigid)
+	check(moved > 3 * MAX_PART_PIXELS, "%d pixels show the swing of twigs" % moved)
+
+
 func test_a_mown_tulip_swings_about_its_own_pivots() -> void:
 	await _compare(_tulip(), Transform3D(Basis.from_scale(Vector3.ONE * 2.5)), 38, 0.6)
 
@@ -253,10 +270,56 @@ func _tulip() -> PlantFunction:
 	species.natural_frequency = 1.8
 	species.damping_ratio = 0.08
 	species.wind_weight = 1.0
-	# A field compares the brightness of its plants. A single plant has none to compare with.
-	species.material = ShaderMaterial.new()
-	species.material.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
-	species.material.set_shader_parameter(&"bent_brightness", 0.0)
+	species.material = _material()
+	return species
+
+
+## A field compares the brightness of its plants. A single plant has none to compare with.
+func _material() -> ShaderMaterial:
+	var made := ShaderMaterial.new()
+	made.shader = load("res://addons/undergrowth/shaders/plant_parts.gdshader")
+	made.set_shader_parameter(&"bent_brightness", 0.0)
+	return made
+
+
+## Two branches with three twigs each: as many as have bones.
+func _shrub() -> PlantFunction:
+	var twig := PlantAxis.of({length = Vector2(0.2, 0.2), diameter = Vector2(0.03, 0.02)})
+	twig.frequency = 2.2
+	var twigs := _along(twig, 3)
+	var branch := PlantAxis.of({length = Vector2(0.24, 0.24), diameter = Vector2(0.03, 0.02)})
+	branch.frequency = 1.4
+	var branches := _along(branch, 2)
+	branches.carries = [twigs] as Array[PlantArrangement]
+	var stem := PlantAxis.of({length = Vector2(0.6, 0.6), diameter = Vector2(0.04, 0.03)})
+	var stems := PlantArrangement.new()
+	stems.layout = PlantArrangement.LAYOUT_GROUND
+	stems.part = stem
+	stems.carries = [branches] as Array[PlantArrangement]
+	var species := PlantFunction.new()
+	species.has_stem = false
+	species.arrangements = [stems] as Array[PlantArrangement]
+	species.law = PlantFunction.LAW_SPRING
+	species.natural_frequency = 1.8
+	species.damping_ratio = 0.08
+	species.wind_weight = 1.0
+	species.material = _material()
+	return species
+
+
+func _along(part: PlantPart, count: int) -> PlantArrangement:
+	var made := PlantArrangement.new()
+	made.part = part
+	made.count = Vector2i(count, count)
+	made.from = 0.5
+	made.angle = Vector2(0.9, 0.6)
+	return made
+
+
+func _shrub_with(code: String) -> PlantFunction:
+	var species := _shrub()
+	species.material.shader = Shader.new()
+	species.material.shader.code = code
 	return species
 
 

@@ -109,6 +109,32 @@ func test_leaves_lag_behind_their_stem_and_each_in_its_own_way() -> void:
 	check(absf(turns[0] - turns[1]) > 1e-3 and absf(turns[1] - turns[2]) > 1e-3, "%s" % [turns])
 
 
+func test_twigs_of_a_hazel_have_bones_on_those_of_its_branches() -> void:
+	_plant.species = _load("hazel")
+	var skeleton := _plant.get_skeleton()
+	var twigs := 0
+	for bone in skeleton.get_bone_count():
+		if skeleton.get_bone_name(bone).begins_with("twig_"):
+			twigs += 1
+			var branch := skeleton.get_bone_name(skeleton.get_bone_parent(bone))
+			check(branch.begins_with("leaf_"), "a twig on %s" % branch)
+	check(twigs > 10 and twigs <= 32, "%d bones of twigs" % twigs)
+
+
+func test_twigs_turn_on_their_branches_and_each_in_its_own_way() -> void:
+	_plant.species = _load("hazel")
+	var skeleton := _plant.get_skeleton()
+	var turns: Array[float] = []
+	for bone in ["twig_1", "twig_2", "twig_3"]:
+		check_near(_turn_of(skeleton, bone), 0.0, 1e-5, bone + " at rest")
+	for i in 12:
+		_plant.advance(STEP)
+	for bone in ["twig_1", "twig_2", "twig_3"]:
+		turns.append(_turn_of(skeleton, bone))
+	check(turns.max() > 0.01, "twigs turn on their branch: %s" % [turns])
+	check(absf(turns[0] - turns[1]) > 1e-3 and absf(turns[1] - turns[2]) > 1e-3, "%s" % [turns])
+
+
 func test_the_second_mode_of_a_leaning_stem_bends_it_as_that_of_an_upright_one() -> void:
 	var ways: Array[float] = []
 	for lean: float in [0.0, 0.8]:

@@ -15,6 +15,7 @@ void fragment() {
 	COLOR = vec4(floor(part / 256.0) / 255.0, mod(part, 256.0) / 255.0, 0.0, 1.0);
 }
 """
+const ORDERS := "#define UNDERGROWTH_PACKED\n#define UNDERGROWTH_ORDERS\n"
 const UP := "vec3(0.0, 1.0, 0.0)"
 
 var _stage: SubViewport
@@ -267,6 +268,19 @@ func test_directions_are_unpacked_from_their_octahedron() -> void:
 		"dot(cross(%s, undergrowth_about(%s, 1.5707963)), %s)" % [first, UP, UP]
 	)
 	check_near(turn[0], 1.0, 0.001, "it turns about the normal")
+
+
+## The steady state of a damped oscillator, as response_to_base() of the core.
+func test_a_part_responds_to_its_carrier_as_an_oscillator_on_a_moving_base() -> void:
+	for damping: float in [0.25, 0.6]:
+		for axis: String in ["x", "y"]:
+			var code := "undergrowth_response(3.0 * x, %f).%s" % [damping, axis]
+			var values := await _values("undergrowth_swing", code, {}, ORDERS)
+			for i in COUNT:
+				var ratio := 3.0 * i / (COUNT - 1)
+				var pull := Vector2(1.0 - ratio * ratio, 2.0 * damping * ratio)
+				var wanted := ratio * ratio * pull / pull.length_squared()
+				check_near(values[i], wanted.x if axis == "x" else wanted.y, 2.0 * NEAR, code)
 
 
 func test_green_leaves_die_and_petals_do_not() -> void:

@@ -74,6 +74,10 @@ void DrawnAttachments::attach(size_t i, const DrawnPart &drawn) {
 	} else if (attachment.has_swing) {
 		attachment.pivot = at.pivot;
 	}
+	for (size_t k = 0; k < static_cast<size_t>(attachment.inner_count); k++) {
+		InnerSwing &own = attachment.inner[k];
+		own.pivot = own.swings ? part.base + shifts[i] : at.inner[k].pivot;
+	}
 }
 
 /// For a carrier without a swing of its own.
@@ -83,6 +87,7 @@ PartAttachment DrawnAttachments::attachment_at(
 	attachment.is_root = false;
 	attachment.swings = false;
 	attachment.weight = carrier.weight_at(offset);
+	attachment.inner = carrier.inner_at(offset);
 	if (carrier.is_root) {
 		attachment.stem_offset = drawn.stem_offset_at(offset);
 		attachment.stem_place = stem_offset_of(form, drawn.point_at(offset));
@@ -120,6 +125,8 @@ void DrawnAttachments::place_rings(FormBody &body) const {
 		ring.attachment.stem_offset = at.stem_offset;
 		ring.attachment.stem_place = at.stem_place;
 		ring.attachment.weight = at.has_swing ? at.weight : own.weight;
+		ring.attachment.inner = at.inner;
+		ring.attachment.inner_count = at.inner_count;
 	}
 }
 

@@ -51,6 +51,7 @@ FormBones::FormBones(const PlantForm &form, const std::vector<PartAttachment> &a
 		leaves.insert(leaves.end(), lying.begin(), lying.end());
 	}
 	add_leaves(form, attachments, std::move(leaves));
+	add_inner(form, attachments);
 }
 
 FormBones::FormBones(std::vector<PartBone> &&bones, std::vector<std::string> &&names) :
@@ -80,6 +81,42 @@ void FormBones::add_leaves(
 		const PlacedPart &part = form.placed[static_cast<size_t>(leaf)];
 		first_of[static_cast<size_t>(leaf)] =
 				add_pair("leaf_" + std::to_string(++number), form, part, attachments[static_cast<size_t>(leaf)]);
+	}
+}
+
+void FormBones::add_inner(const PlantForm &form, const std::vector<PartAttachment> &attachments) {
+	std::vector<int> all_inner;
+	for (size_t i = 0; i < attachments.size(); i++) {
+		const PartAttachment &attachment = attachments[i];
+		const bool is_first = attachment.inner_count == 1 && attachment.inner[0].swings;
+		if (is_first && first_of[static_cast<size_t>(attachment.swinger)] >= 0) {
+			all_inner.push_back(static_cast<int>(i));
+		}
+	}
+	const auto is_before = [&form](int a, int b) {
+		const PlacedPart &one = form.placed[static_cast<size_t>(a)];
+		const PlacedPart &other = form.placed[static_cast<size_t>(b)];
+		const auto is_blade = [&form](const PlacedPart &part) {
+			return form.parts[static_cast<size_t>(part.kind)].kind != PartKind::axis;
+		};
+		return is_blade(one) != is_blade(other) ? is_blade(other) : size_of(one) > size_of(other);
+	};
+	std::stable_sort(all_inner.begin(), all_inner.end(), is_before);
+	all_inner.resize(std::min(all_inner.size(), static_cast<size_t>(MAX_INNER_BONES)));
+	int number = 0;
+	for (const int part : all_inner) {
+		const PartAttachment &attachment = attachments[static_cast<size_t>(part)];
+		const InnerSwing &inner = attachment.inner[0];
+		first_of[static_cast<size_t>(part)] = static_cast<int>(all.size());
+		PartBone bone;
+		bone.origin = bone.pivot = inner.pivot;
+		bone.stem_offset = attachment.stem_offset;
+		bone.weight = 1.0f;
+		bone.swing = inner.swing;
+		bone.carried_by = bone_at(first_of[static_cast<size_t>(attachment.swinger)], attachment.weight);
+		bone.carrier = { attachment.pivot, attachment.weight, attachment.swing };
+		all.push_back(bone);
+		all_names.push_back("twig_" + std::to_string(++number));
 	}
 }
 
@@ -138,6 +175,7 @@ std::vector<PartBone> FormBones::stretched(float factor) const {
 	for (PartBone &bone : bones) {
 		bone.origin.y *= factor;
 		bone.pivot.y *= factor;
+		bone.carrier.pivot.y *= factor;
 	}
 	return bones;
 }
@@ -145,6 +183,29 @@ std::vector<PartBone> FormBones::stretched(float factor) const {
 bool FormBones::has_outer(int bone) const {
 	const size_t next = static_cast<size_t>(bone) + 1;
 	return next < all.size() && all[next].outer_of == bone;
+}
+
+// A twig shares a vertex between its own bone and one of its branch, which have the stem's bend of the vertex.
+void FormBones::bind(
+		const PartAttachment &attachment, float stem_offset, float offset, int32_t *bones, float *weights) const {
+	const InnerSwing &inner = attachment.inner[0];
+	const int twig =
+			attachment.inner_count == 0 || first_of.empty() ? -1 : first_of[static_cast<size_t>(inner.swinger)];
+	if (twig < 0) {
+		bind(attachment.swinger, stem_offset, attachment.weight_at(offset), bones, weights);
+		return;
+	}
+	const int branch = bone_at(first_of[static_cast<size_t>(attachment.swinger)], attachment.weight);
+	const float of_branch = attachment.weight / all[static_cast<size_t>(branch)].weight;
+	weights[2] = exact(inner.weight_at(offset));
+	weights[3] = exact((1.0f - weights[2]) * std::min(of_branch, 1.0f));
+	const float room = 1.0f - weights[2] - weights[3];
+	weights[1] = exact(room * stem_offset);
+	weights[0] = room - weights[1];
+	bones[0] = ROOT;
+	bones[1] = TIP;
+	bones[2] = FIRST + twig;
+	bones[3] = FIRST + branch;
 }
 
 // The tip bone adds the stem's bend that part bones do not, so that a plant without swing bends as without bones.

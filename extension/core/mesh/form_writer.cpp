@@ -67,7 +67,13 @@ void FormWriter::put(const Common &common, const glm::vec3 &middle, const glm::v
 	out.custom0[i] = { x, weight, common.veins + rank, common.leafiness };
 	out.custom1[i] = glm::vec4(attachment.pivot, common.swing.pace);
 	out.custom2[i] = glm::vec4(aside, common.swing.place);
-	skeleton.bind(attachment.swinger, x, weight, out.bones + 4 * i, out.weights + 4 * i);
+	for (size_t k = 0; k < MAX_INNER_SWINGS && out.inner[k] != nullptr; k++) {
+		const InnerSwing &inner = attachment.inner[k];
+		out.inner[k][i] = static_cast<int>(k) < attachment.inner_count
+				? InnerVertex{ inner.pivot, inner.weight_at(offset), inner.code }
+				: InnerVertex();
+	}
+	skeleton.bind(attachment, x, offset, out.bones + 4 * i, out.weights + 4 * i);
 }
 
 void FormWriter::add_part(const PlacedPart &part, const PartAttachment &attachment, const PartTemplate &shape) {
@@ -133,6 +139,9 @@ void FormWriter::stretch(float factor) {
 		out.tangents[i] = glm::vec4(glm::normalize(glm::vec3(out.tangents[i]) * up), 1.0f);
 		out.custom1[i].y *= factor;
 		out.custom2[i].y *= factor;
+		for (size_t k = 0; k < MAX_INNER_SWINGS && out.inner[k] != nullptr; k++) {
+			out.inner[k][i].pivot.y *= factor;
+		}
 	}
 }
 

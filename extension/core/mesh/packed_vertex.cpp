@@ -72,6 +72,17 @@ static float to_float(uint32_t word) {
 	return number;
 }
 
+PackedSwing pack_swing(const InnerVertex &swing) {
+	const uint32_t words[PackedSwing::WORDS] = {
+		half_of(swing.pivot.x) | steps_of(swing.code.pace + 2048.0f, 1.0f, 4095) << 16,
+		half_of(swing.pivot.y) | steps_of(swing.code.place + 2048.0f, 1.0f, 4095) << 16,
+		half_of(swing.pivot.z) | steps_of(swing.weight, 255.0f, 255) << 16,
+	};
+	PackedSwing packed;
+	std::transform(words, words + PackedSwing::WORDS, packed.words, to_float);
+	return packed;
+}
+
 PackedVertex pack_vertex(const VertexAttributes &of) {
 	const glm::vec3 aside(of.custom2);
 	const glm::uvec2 aside_square = square_of(aside);

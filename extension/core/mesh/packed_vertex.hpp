@@ -1,5 +1,7 @@
 #pragma once
 
+#include "mesh/vertex_format.hpp"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -38,6 +40,16 @@ struct PackedVertex {
 
 	float words[WORDS];
 };
+
+/// A swing on a swing (InnerVertex) in three floats. Words from the lowest bit to the highest: x, y and z of the pivot
+/// (16, half floats), each with: pace (12), place (12), weight (8). undergrowth_packed.gdshaderinc reads it.
+struct PackedSwing {
+	static constexpr int WORDS = 3;
+
+	float words[WORDS];
+};
+
+PackedSwing pack_swing(const InnerVertex &swing);
 
 /// Packs finite attributes. Those outside of their range are clamped: offsets to 2, codes of CUSTOM0.z to 1023.
 PackedVertex pack_vertex(const VertexAttributes &of);

@@ -1,5 +1,7 @@
 #include "mesh/part_attachment.hpp"
 
+#include "mesh/branch_frequencies.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -43,16 +45,20 @@ float room_of(const PlantForm &form, const PlacedPart &part) {
 	return room;
 }
 
-void set_motion_state(
-		const PlantForm &form, const PlacedPart &part, const glm::vec2 &side, PartAttachment &attachment) {
+PartMotionCode swing_code(const PlantForm &form, const PlacedPart &part, const glm::vec2 &side, float factor) {
 	const Part &kind = form.parts[static_cast<size_t>(part.kind)];
 	PartMotion swing;
-	swing.frequency = kind.frequency;
+	swing.frequency = factor * kind.frequency;
 	swing.damping_ratio = kind.damping_ratio;
 	swing.phase = part.rank + GROUP_PHASE * static_cast<float>(part.group);
 	swing.side = side;
 	swing.room = swing.is_head() ? 1.0f : room_of(form, part);
-	attachment.code = encode_part_motion(swing);
+	return encode_part_motion(swing);
+}
+
+void set_motion_state(const PlantForm &form, const PlacedPart &part, const glm::vec2 &side, float factor,
+		PartAttachment &attachment) {
+	attachment.code = swing_code(form, part, side, factor);
 	attachment.swing = decode_part_motion(attachment.code);
 }
 
@@ -63,12 +69,12 @@ bool is_of_head(const PlantForm &form, const PlacedPart &part) {
 			part.length < MAX_HEAD_SHARE * form.height;
 }
 
-void let_swing(const PlantForm &form, int index, PartAttachment &attachment) {
+void let_swing(const PlantForm &form, int index, float factor, PartAttachment &attachment) {
 	const PlacedPart &part = form.placed[static_cast<size_t>(index)];
 	attachment.swings = attachment.has_swing = true;
 	attachment.swinger = index;
 	attachment.pivot = part.base;
-	set_motion_state(form, part, side_of(form, part), attachment);
+	set_motion_state(form, part, side_of(form, part), factor, attachment);
 }
 
 PartAttachment attachment_on(const PlantForm &form, const PlacedPart &part, const PartAttachment &carrier) {
@@ -80,8 +86,29 @@ PartAttachment attachment_on(const PlantForm &form, const PlacedPart &part, cons
 			carrier.is_root ? stem_offset_of(form, form.point_of(carries, part.offset)) : carrier.stem_offset;
 	attachment.stem_place = carrier.is_root ? attachment.stem_offset : carrier.stem_place;
 	attachment.weight = carrier.weight_at(part.offset);
+	attachment.inner = carrier.inner_at(part.offset);
 	attachment.rank = std::max(part.rank, carrier.rank);
 	return attachment;
+}
+
+bool is_axis(const PlantForm &form, const PlacedPart &part) {
+	return form.parts[static_cast<size_t>(part.kind)].kind == PartKind::axis;
+}
+
+void let_swing_on_branch(const PlantForm &form, int index, float factor, PartAttachment &attachment) {
+	const PlacedPart &part = form.placed[static_cast<size_t>(index)];
+	InnerSwing &own = attachment.inner[static_cast<size_t>(attachment.inner_count++)];
+	own.swings = true;
+	own.swinger = index;
+	own.pivot = part.base;
+	own.code = swing_code(form, part, side_of(form, part), factor);
+	own.swing = decode_part_motion(own.code);
+}
+
+/// True if a part gets a swing on that of its carrier.
+bool swings_on_branch(const PlantForm &form, const PlacedPart &part, const PartAttachment &attachment) {
+	return attachment.has_swing && !attachment.swing.is_head() && attachment.inner_count < MAX_INNER_SWINGS &&
+			frequency_of(form, part) > 0.0f && is_axis(form, form.placed[static_cast<size_t>(part.carrier)]);
 }
 
 /// Returns for each placed part the softest part of a head on it, or -1.
@@ -107,13 +134,25 @@ void join_head(const PlantForm &form, int softest, PartAttachment &attachment) {
 	attachment.swinger = softest;
 	attachment.weight = 1.0f;
 	attachment.pivot = form.point_of(form.placed[static_cast<size_t>(part.carrier)], 1.0f);
-	set_motion_state(form, part, glm::vec2(0.0f), attachment);
+	set_motion_state(form, part, glm::vec2(0.0f), 1.0f, attachment);
 }
 
 } // namespace
 
+std::array<InnerSwing, MAX_INNER_SWINGS> PartAttachment::inner_at(float offset) const {
+	std::array<InnerSwing, MAX_INNER_SWINGS> all = inner;
+	for (InnerSwing &one : all) {
+		one.weight = one.weight_at(offset);
+		one.swings = false;
+	}
+	return all;
+}
+
 PartAttachment PartAttachment::of_body() const {
 	PartAttachment attachment = *this;
+	if (inner_count > 0 && inner[static_cast<size_t>(inner_count - 1)].swings) {
+		attachment.inner[static_cast<size_t>(--attachment.inner_count)] = InnerSwing();
+	}
 	if (swings) {
 		attachment.swings = attachment.has_swing = false;
 		attachment.swinger = -1;
@@ -122,17 +161,35 @@ PartAttachment PartAttachment::of_body() const {
 	return attachment;
 }
 
+bool has_branched_branches(const PlantForm &form) {
+	std::vector<bool> is_on_branch(form.placed.size(), false); // Or is one itself.
+	for (size_t i = 0; i < form.placed.size(); i++) {
+		const PlacedPart &part = form.placed[i];
+		const bool is_branch = part.carrier != ON_GROUND && is_axis(form, part) && frequency_of(form, part) > 0.0f;
+		const bool is_carried = part.carrier != ON_GROUND && is_on_branch[static_cast<size_t>(part.carrier)];
+		if (is_branch && is_carried) {
+			return true;
+		}
+		is_on_branch[i] = is_branch || is_carried;
+	}
+	return false;
+}
+
 float stem_offset_of(const PlantForm &form, const glm::vec3 &point) {
 	return std::clamp(point.y / form.height, 0.0f, 1.0f);
 }
 
 std::vector<PartAttachment> attach_parts(const PlantForm &form) {
 	const std::vector<int> heads = find_heads(form);
+	const bool is_branched = has_branched_branches(form);
+	const std::vector<float> factors =
+			is_branched ? branch_frequency_factors(form) : std::vector<float>(form.parts.size(), 1.0f);
 	const PartMotionCode still = encode_part_motion(PartMotion());
 	std::vector<PartAttachment> attachments;
 	attachments.reserve(form.placed.size());
 	for (const PlacedPart &part : form.placed) {
 		const bool on_ground = part.carrier == ON_GROUND;
+		const float factor = factors[static_cast<size_t>(part.kind)];
 		PartAttachment attachment;
 		if (on_ground) {
 			attachment.is_root = true;
@@ -147,7 +204,9 @@ std::vector<PartAttachment> attach_parts(const PlantForm &form) {
 		if (!attachment.has_swing && head >= 0) {
 			join_head(form, head, attachment);
 		} else if (!attachment.has_swing && !is_stem && frequency_of(form, part) > 0.0f) {
-			let_swing(form, static_cast<int>(attachments.size()), attachment);
+			let_swing(form, static_cast<int>(attachments.size()), factor, attachment);
+		} else if (is_branched && !on_ground && swings_on_branch(form, part, attachment)) {
+			let_swing_on_branch(form, static_cast<int>(attachments.size()), factor, attachment);
 		}
 		attachments.push_back(attachment);
 	}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "plant/part_motion.hpp"
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -65,6 +67,13 @@ namespace undergrowth {
 // swing, drawn at all distances, full leafiness, which is correct for a lathe. CUSTOM1 and CUSTOM2 only have an effect
 // if CUSTOM0.y is not 0 or parts are widened. A shader that only uses CUSTOM0.x bends every plant correctly.
 
+/// A swing on a swing, at one vertex.
+struct InnerVertex {
+	glm::vec3 pivot = { 0.0f, 0.0f, 0.0f }; ///< m.
+	float weight = 0.0f; ///< 0 to 1; 0: none.
+	PartMotionCode code;
+};
+
 /// Output arrays of a form's mesh, with the sizes of its counts; none is null.
 struct FormBuffers {
 	glm::vec3 *positions = nullptr;
@@ -79,6 +88,8 @@ struct FormBuffers {
 	float *weights = nullptr; ///< Four per vertex; they sum to 1 exactly.
 	int32_t *indices = nullptr;
 	float *stem_places = nullptr; ///< y of CUSTOM3.
+	/// Swings on the swing in `custom1`, from the outermost to the innermost (InnerSwing). Null: not written.
+	InnerVertex *inner[MAX_INNER_SWINGS] = {};
 };
 
 } // namespace undergrowth

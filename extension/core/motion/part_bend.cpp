@@ -28,6 +28,10 @@ constexpr float LULL = 0.75f;
 constexpr float GUST = 0.5f;
 constexpr float FLUTTER_OF_LEE = 0.5f;
 constexpr float CALMED = 4.0f; // Per damping ratio.
+constexpr float SLOW = 0.625f; // Frequency of the second swing of a flutter, over the first.
+// First mode of an even cantilever on a base that turns: the turn of its chord (Craig and Kurdila 2006).
+constexpr float TURNED_BASE = 1.14f;
+constexpr float DRAG = 0.15f; // Damping ratio by the air of a part that its carrier drives.
 constexpr float ASIDE = 0.4f; // Of the flutter.
 constexpr float DROP = 0.12f; // Amplitude after a drop.
 // Whether a drop falls in a second: multiples of this number (1 over the plastic number) are spread evenly within 0
@@ -41,8 +45,20 @@ constexpr float EPSILON = 1e-6f;
 // From a third of the height on a plant leans as its stem does; same in undergrowth_stem.gdshaderinc.
 constexpr float LEANS = 3.0f;
 
+struct PartWind {
+	glm::vec2 way = glm::vec2(0.0f); ///< Unit, or zero in calm air.
+	float far = 0.0f; ///< Bend of the stem by the wind.
+	float air = 0.0f; ///< m/s.
+};
+
 float wave(float cycles) {
 	return static_cast<float>(std::sin(2.0 * PI * (cycles - std::floor(cycles))));
+}
+
+/// Value of a response to a base with this wave.
+float response_wave(float cycles, const glm::vec2 &response) {
+	const double turn = 2.0 * PI * (cycles - std::floor(cycles));
+	return response.x * static_cast<float>(std::sin(turn)) - response.y * static_cast<float>(std::cos(turn));
 }
 
 /// Bend of a part by the last drop on it: at most one in each second of the clock.
@@ -65,31 +81,89 @@ glm::quat quaternion_of(const glm::vec2 &bend) {
 	return glm::quat(scale, bend.y * scale, 0.0f, -bend.x * scale);
 }
 
-} // namespace
-
-glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem) {
+/// Wind and air as parts of a stem feel them.
+PartWind wind_on(const StemMotion &stem) {
 	const glm::vec2 away = stem.bend - stem.rest;
 	const float distance = glm::length(away);
-	const float far = std::max(distance - CALM, 0.0f);
-	const glm::vec2 wind = distance > CALM ? away / distance : glm::vec2(0.0f);
-	const float lee = glm::dot(part.side, wind);
+	PartWind wind;
+	wind.far = std::max(distance - CALM, 0.0f);
+	wind.way = distance > CALM ? away / distance : glm::vec2(0.0f);
+	const float gust = wind.far / (1.0f + wind.far);
+	wind.air = stem.air * (LULL + GUST * gust) + stem.stirred * gust;
+	return wind;
+}
+
+float softness_of(const PartMotion &part) {
 	const float stiffness = part.frequency / STIFF;
-	const float soft = 1.0f / (1.0f + stiffness * stiffness);
-	const float lag = (LAG + 2.0f * part.damping_ratio) / (2.0f * static_cast<float>(PI) * part.frequency);
-	glm::vec2 bend = wind * (far * PRESS * soft * (1.0f - PRESS_OF_LEE * lee)) -
+	return 1.0f / (1.0f + stiffness * stiffness);
+}
+
+/// The two swings of a flutter, each at its own frequency.
+struct FlutterWaves {
+	float one, other;
+};
+
+/// Cycles of both swings at the time of `stem`.
+FlutterWaves flutter_cycles(const PartMotion &part, const StemMotion &stem) {
+	const float swings = part.frequency * static_cast<float>(SWING_PERIOD);
+	const float slow = std::floor(SLOW * swings + 0.5f); // Also a whole number.
+	return { stem.clock * swings + part.phase + stem.turns, stem.clock * slow + 2.618f * part.phase + stem.turns };
+}
+
+/// Bend of a part by its flutter, for these values of its waves.
+glm::vec2 flutter_bend(const PartMotion &part, const PartWind &wind, const FlutterWaves &waves) {
+	const float lee = glm::dot(part.side, wind.way);
+	const float strength = std::sqrt(std::max(1.0f - ONSET * part.frequency / std::max(wind.air, EPSILON), 0.0f));
+	const float flutter = FLUTTER * softness_of(part) / (1.0f + CALMED * part.damping_ratio) *
+			(1.0f + FLUTTER_OF_LEE * lee) * strength;
+	const glm::vec2 flap = part.is_head() ? wind.way : part.side;
+	return flap * (flutter * (0.7f * waves.one + 0.3f * waves.other)) +
+			glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * waves.other);
+}
+
+/// Bend of a part by the flutter of one of its carriers.
+glm::vec2 driven_bend(
+		const PartMotion &part, const StemMotion &stem, const PartWind &wind, const CarrierSwing &carrier) {
+	const float ratio = carrier.swing.frequency / part.frequency;
+	const float damping = part.damping_ratio + DRAG;
+	const glm::vec2 fast = response_to_base(ratio, damping);
+	const glm::vec2 slow = response_to_base(SLOW * ratio, damping);
+	const FlutterWaves cycles = flutter_cycles(carrier.swing, stem);
+	const FlutterWaves waves = { response_wave(cycles.one, fast), response_wave(cycles.other, slow) };
+	return (TURNED_BASE * carrier.weight) * flutter_bend(carrier.swing, wind, waves);
+}
+
+} // namespace
+
+glm::vec2 response_to_base(float ratio, float damping_ratio) {
+	const float square = ratio * ratio;
+	const float off = 1.0f - square;
+	const float lost = 2.0f * damping_ratio * ratio;
+	const float share = square / std::max(off * off + lost * lost, EPSILON);
+	return { share * off, share * lost };
+}
+
+glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem) {
+	return part_bend(part, stem, nullptr, 0);
+}
+
+glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem, const CarrierSwing *carriers, int count) {
+	const PartWind wind = wind_on(stem);
+	const float lee = glm::dot(part.side, wind.way);
+	const float soft = softness_of(part);
+	float faster = 1.0f;
+	glm::vec2 driven(0.0f);
+	for (int i = 0; i < count; i++) {
+		faster += carriers[i].weight * PRESS * softness_of(carriers[i].swing);
+		driven += driven_bend(part, stem, wind, carriers[i]);
+	}
+	const float lag = faster * (LAG + 2.0f * part.damping_ratio) / (2.0f * static_cast<float>(PI) * part.frequency);
+	glm::vec2 bend = wind.way * (wind.far * PRESS * soft * (1.0f - PRESS_OF_LEE * lee)) -
 			stem.rate * (lag / (1.0f + glm::dot(stem.bend, stem.bend)));
 
-	const float swings = part.frequency * static_cast<float>(SWING_PERIOD);
-	const float slow = std::floor(0.625f * swings + 0.5f); // Also a whole number.
-	const float one = wave(stem.clock * swings + part.phase + stem.turns);
-	const float other = wave(stem.clock * slow + 2.618f * part.phase + stem.turns);
-	const float gust = far / (1.0f + far);
-	const float air = stem.air * (LULL + GUST * gust) + stem.stirred * gust;
-	const float strength = std::sqrt(std::max(1.0f - ONSET * part.frequency / std::max(air, EPSILON), 0.0f));
-	const float flutter =
-			FLUTTER * soft / (1.0f + CALMED * part.damping_ratio) * (1.0f + FLUTTER_OF_LEE * lee) * strength;
-	const glm::vec2 flap = part.is_head() ? wind : part.side;
-	bend += flap * (flutter * (0.7f * one + 0.3f * other)) + glm::vec2(-flap.y, flap.x) * (flutter * ASIDE * other);
+	const FlutterWaves cycles = flutter_cycles(part, stem);
+	bend += flutter_bend(part, wind, { wave(cycles.one), wave(cycles.other) });
+	bend += driven;
 
 	if (stem.drops > 0.0f) {
 		bend += part.side * (soft * bend_by_drops(part, stem.clock, stem.drops));
@@ -128,9 +202,39 @@ glm::vec3 bent_way(const glm::vec3 &way, const glm::vec2 &bend, float weight) {
 	return turned(way, own) * arc_share(own);
 }
 
+// Puts the swing of a bone under the pose of what carries its part.
+static PartPose carried_pose(const PartPose &carrier, const PartBone &bone, const glm::vec2 &own) {
+	const glm::quat of_carrier(carrier.turn.w, carrier.turn.x, carrier.turn.y, carrier.turn.z);
+	const glm::quat turn = quaternion_of(own);
+	const float size = bone.swing.is_head() ? 1.0f : arc_share(own);
+	const glm::quat whole = of_carrier * turn;
+	PartPose pose;
+	pose.turn = { whole.x, whole.y, whole.z, whole.w };
+	pose.size = carrier.size * size;
+	pose.shift = carrier.shift + carrier.size * (of_carrier * (bone.pivot - size * (turn * bone.pivot)));
+	return pose;
+}
+
+// A bone at the place on the branch that carries the part of `bone`.
+static PartBone bone_of_carrier(const PartBone &bone) {
+	PartBone made = bone;
+	made.pivot = bone.carrier.pivot;
+	made.weight = bone.carrier.weight;
+	made.swing = bone.carrier.swing;
+	made.carried_by = -1;
+	return made;
+}
+
+static glm::vec2 carried_bend(const PartBone &bone, const StemMotion &stem) {
+	return bend_at(part_bend(bone.swing, stem, &bone.carrier, 1), bone.weight);
+}
+
 // The stem moves a point at its offset x by the share x of its bend: (1 - x)·v + x·turned(v). In the plane of the bend
 // this turns and shrinks the part. A bone cannot shrink in one plane alone, so it uses the turn and the mean size.
 PartPose pose_of(const PartBone &bone, const StemMotion &stem) {
+	if (bone.carried_by >= 0) {
+		return carried_pose(pose_of(bone_of_carrier(bone), stem), bone, carried_bend(bone, stem));
+	}
 	const glm::vec2 own = bend_at(part_bend(bone.swing, stem), bone.weight);
 	const float n = glm::dot(stem.bend, stem.bend);
 	const float x = bone.stem_offset;
@@ -168,6 +272,9 @@ glm::vec4 PosedStem::turn_at(float x) const {
 }
 
 PartPose pose_of(const PartBone &bone, const StemMotion &motion, const PosedStem &stem) {
+	if (bone.carried_by >= 0) {
+		return carried_pose(pose_of(bone_of_carrier(bone), motion, stem), bone, carried_bend(bone, motion));
+	}
 	const glm::vec2 own = bend_at(part_bend(bone.swing, motion), bone.weight);
 	const glm::vec4 of_stem = stem.turn_at(bone.stem_offset);
 	const glm::quat turn = glm::quat(of_stem.w, of_stem.x, of_stem.y, of_stem.z) * quaternion_of(own);

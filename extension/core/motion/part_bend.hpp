@@ -39,6 +39,21 @@ struct StemMotion {
 /// addons/undergrowth/shaders/undergrowth_swing.gdshaderinc mirrors it for fields; change both together.
 glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem);
 
+/// The same for a part on swinging parts, as a twig on a branch: `count` carriers, the outermost swing first. Each
+/// order of branches has its own law on the motion of those that carry it. Besides the above:
+///
+/// - the part is an oscillator of its frequency and damping, driven by the flutter of its carriers, which turns its
+///   base: in the steady state it overshoots a slow carrier, lags a quarter of a turn behind one of its own frequency,
+///   and stays in place on a fast one,
+/// - it lags behind the rate of the stem and that of its carriers.
+///
+/// The closed form of the steady state needs no state. The shift of the base is left out.
+glm::vec2 part_bend(const PartMotion &part, const StemMotion &stem, const CarrierSwing *carriers, int count);
+
+/// Relative motion of an oscillator on a base that swings harmonically with the amplitude 1: the part in phase with the
+/// base (x) and the part that lags by a quarter of a turn (y). `ratio`: frequency of the base over its own.
+glm::vec2 response_to_base(float ratio, float damping_ratio);
+
 /// About 44°: of a tip's turn as seen from the pivot. The tip itself points twice as far.
 inline constexpr float MAX_PART_BEND = 0.4f;
 

@@ -19,6 +19,16 @@ struct PartMotion {
 	bool is_head() const { return side.x == 0.0f && side.y == 0.0f; }
 };
 
+/// A swing that carries other parts: that of a branch under its twigs.
+struct CarrierSwing {
+	glm::vec3 pivot = { 0.0f, 0.0f, 0.0f }; ///< m.
+	float weight = 0.0f; ///< Fraction of its swing at the place that carries, 0 to 1.
+	PartMotion swing;
+};
+
+/// Maximum number of swings on the swing of a branch: those of a twig and of a leaf on it.
+inline constexpr int MAX_INNER_SWINGS = 2;
+
 /// Period of the clock of swings (s). Frequencies are multiples of 1/SWING_PERIOD, so that swings are continuous when
 /// the clock wraps.
 inline constexpr double SWING_PERIOD = 128.0;
@@ -44,6 +54,8 @@ struct PartBone {
 	float stem_offset; ///< Offset on the stem to which it is attached.
 	float weight; ///< Fraction of its part's swing, 0 to 1.
 	int outer_of = -1; ///< Index of the bone of the inner half of the same part; -1: the bone has the whole part.
+	int carried_by = -1; ///< Index of the bone of a branch that carries its part; -1: the stem does.
+	CarrierSwing carrier; ///< The swing of that branch.
 	PartMotion swing;
 };
 

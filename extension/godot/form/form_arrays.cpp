@@ -4,6 +4,7 @@
 #include "mesh/facets.hpp"
 #include "mesh/form_mesh.hpp"
 #include "mesh/joint_binding.hpp"
+#include "mesh/packed_vertex.hpp"
 #include "plants/part_skeleton.hpp"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ struct FormArrays {
 	PackedVector2Array uvs;
 	PackedFloat32Array tangents, weights, custom0, custom1, custom2, stem_places;
 	PackedInt32Array bones, indices;
+	std::vector<InnerVertex> inner[MAX_INNER_SWINGS]; ///< Empty: not written.
 
 	explicit FormArrays(const MeshCounts &counts) {
 		positions.resize(counts.vertices);
@@ -39,6 +41,11 @@ struct FormArrays {
 		bones.resize(4 * counts.vertices);
 		indices.resize(counts.indices);
 	}
+	void add_inner(const MeshCounts &counts) {
+		for (std::vector<InnerVertex> &order : inner) {
+			order.resize(size_t(counts.vertices));
+		}
+	}
 	FormBuffers buffers() {
 		FormBuffers to;
 		to.positions = reinterpret_cast<glm::vec3 *>(positions.ptrw());
@@ -53,6 +60,9 @@ struct FormArrays {
 		to.bones = bones.ptrw();
 		to.weights = weights.ptrw();
 		to.indices = indices.ptrw();
+		for (size_t k = 0; k < MAX_INNER_SWINGS; k++) {
+			to.inner[k] = inner[k].empty() ? nullptr : inner[k].data();
+		}
 		return to;
 	}
 };
@@ -72,6 +82,17 @@ static Array packed(const FormArrays &from) {
 	arrays[Mesh::ARRAY_WEIGHTS] = from.weights;
 	arrays[Mesh::ARRAY_INDEX] = from.indices;
 	return arrays;
+}
+
+static PackedFloat32Array packed_swings(const std::vector<InnerVertex> &swings) {
+	PackedFloat32Array all;
+	all.resize(int64_t(swings.size()) * PackedSwing::WORDS);
+	float *to = all.ptrw();
+	for (const InnerVertex &swing : swings) {
+		const PackedSwing packed = pack_swing(swing);
+		to = std::copy(packed.words, packed.words + PackedSwing::WORDS, to);
+	}
+	return all;
 }
 
 // Returns CUSTOM3 of every vertex: the height of the shown plant, the position of attachment on the stem, and x and z
@@ -132,6 +153,9 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	}
 	const MeshCounts counts = cards.is_empty() ? plan.counts : cards.counts;
 	FormArrays arrays(counts);
+	if (sampled.is_packed && grown.has_orders && cards.is_empty()) {
+		arrays.add_inner(counts);
+	}
 	const FormBones none;
 	if (cards.is_empty()) {
 		build_form_mesh(grown.form, grown.measure(), plan, sampled.has_part_bones ? grown.bones : none, sampled.options,
@@ -149,9 +173,13 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	}
 	Array all = packed(arrays);
 	all[Mesh::ARRAY_CUSTOM3] = at_rest(sampled, arrays);
-	return { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty(),
+	MeshArrays made = { all, CUSTOM_FORMAT, sampled.material, true, !cards.is_empty(),
 		cards.is_empty() ? has_open_bodies(grown.form, plan) : cards.rest.body_count > 0,
 		cards.is_empty() ? facets_of(grown.form, plan) : facets_of(card_form->rest, cards.rest) };
+	for (size_t k = 0; k < MAX_INNER_SWINGS; k++) {
+		made.inner[k] = packed_swings(arrays.inner[k]);
+	}
+	return made;
 }
 
 } // namespace undergrowth

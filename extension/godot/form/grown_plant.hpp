@@ -27,8 +27,10 @@ class GrownPlant {
 public:
 	const PlantForm form;
 	const FormBones bones;
+	const bool has_orders; ///< has_branched_branches().
 
-	explicit GrownPlant(PlantForm &&grown) : form(std::move(grown)), bones(form, attach_parts(form)) {}
+	explicit GrownPlant(PlantForm &&grown) :
+			form(std::move(grown)), bones(form, attach_parts(form)), has_orders(has_branched_branches(form)) {}
 
 	/// Measured by the first build of a mesh, on any thread.
 	const FormMeasure &measure() const {

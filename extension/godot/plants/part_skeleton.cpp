@@ -94,6 +94,9 @@ int PartSkeleton::carrier_of(const PartBone &bone) const {
 	if (bone.outer_of >= 0) {
 		return part_index(size_t(bone.outer_of));
 	}
+	if (bone.carried_by >= 0) {
+		return part_index(size_t(bone.carried_by));
+	}
 	const int link = std::min(int(bone.stem_offset * float(joints)), joints - 1);
 	return has_joints() ? FormBones::FIRST + link : int(FormBones::TIP);
 }

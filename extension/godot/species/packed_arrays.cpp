@@ -73,6 +73,11 @@ MeshArrays pack_arrays(const MeshArrays &from) {
 	}
 	made.arrays[Mesh::ARRAY_CUSTOM0] = first;
 	made.arrays[Mesh::ARRAY_CUSTOM1] = second;
+	for (int k = 0; k < MAX_INNER_SWINGS && !from.inner[k].is_empty(); k++) {
+		made.arrays[Mesh::ARRAY_CUSTOM2 + k] = from.inner[k];
+		made.format |= custom_format(2 + k, Mesh::ARRAY_CUSTOM_RGB_FLOAT);
+		made.inner[k] = PackedFloat32Array();
+	}
 	return made;
 }
 

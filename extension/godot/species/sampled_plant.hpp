@@ -2,10 +2,12 @@
 
 #include "mesh/cross_section.hpp"
 #include "mesh/plant_mesh.hpp"
+#include "plant/part_motion.hpp"
 #include "stem/stem_constants.hpp"
 
 #include <godot_cpp/classes/array_mesh.hpp>
 #include <godot_cpp/classes/material.hpp>
+#include <godot_cpp/variant/packed_float32_array.hpp>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -38,6 +40,8 @@ struct MeshArrays {
 	float facets = 0.0f; ///< m: see facets_of(). 0 for plants without parts.
 	bool is_model = false; ///< Of a PlantModel. Null is then no material.
 	std::vector<MeshArrays> others = {}; ///< Further surfaces of a model, without surfaces of their own.
+	/// Packed inner swings (PackedSwing) of a plant with branched branches, from the outermost; else empty.
+	godot::PackedFloat32Array inner[MAX_INNER_SWINGS] = {};
 
 	/// Largest distance from the axis (m), deviations included.
 	float width() const;

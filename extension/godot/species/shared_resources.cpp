@@ -17,8 +17,9 @@ namespace undergrowth {
 static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
-// For lathes, parts, in fields: parts without cards, parts with cards, and shadows; and for climbers.
-static constexpr int SHADERS = 6;
+// For lathes, parts, in fields: parts without cards, parts with cards, and shadows; for climbers; and in fields: parts
+// with orders of branches.
+static constexpr int SHADERS = 7;
 static Ref<Shader> *shaders[SHADERS] = {};
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
@@ -26,7 +27,8 @@ static std::mutex making; // Meshes may be generated on several threads.
 static const char *const SHADER_PATHS[SHADERS] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
 	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_solids.gdshader",
 	"res://addons/undergrowth/shaders/plant_cards.gdshader", "res://addons/undergrowth/shaders/plant_shadows.gdshader",
-	"res://addons/undergrowth/shaders/plant_climber.gdshader" };
+	"res://addons/undergrowth/shaders/plant_climber.gdshader",
+	"res://addons/undergrowth/shaders/plant_orders.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
@@ -91,6 +93,10 @@ Ref<Shader> shadows_shader() {
 
 Ref<Shader> climber_shader() {
 	return load_shader(5);
+}
+
+Ref<Shader> orders_shader() {
+	return load_shader(6);
 }
 
 static bool is_main_thread() {

@@ -30,6 +30,9 @@ godot::Ref<godot::Shader> solids_shader();
 godot::Ref<godot::Shader> cards_shader();
 /// Returns the add-on's shader of plants of parts that only cast shadows. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> shadows_shader();
+/// Returns the add-on's shader of levels without cards of plants with branched branches. Stays loaded as plant_shader()
+/// does.
+godot::Ref<godot::Shader> orders_shader();
 /// Returns the add-on's shader of the leaves of climbers. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> climber_shader();
 

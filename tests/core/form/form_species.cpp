@@ -190,3 +190,21 @@ PlantForm grow_alone(const Part &part, uint64_t seed) {
 	plant.add(part, arranged(Layout::ground, 1));
 	return plant.finish();
 }
+
+PlantForm grow_shrub(uint64_t seed) {
+	Part stem = colored(axis(0.9f, 1.1f, 0.016f, 0.006f, 4.0f), 0x5f513f, 0x756449);
+	stem.frequency = 0.0f;
+	Part branch = colored(axis(0.35f, 0.5f, 0.007f, 0.003f, 20.0f), 0x66543f, 0x74643f);
+	branch.frequency = 1.4f;
+	Part twig = colored(axis(0.15f, 0.22f, 0.003f, 0.0015f, 12.0f), 0x6a5a42, 0x7d7a4c);
+	twig.frequency = 2.2f;
+	Part leaf = colored(blade(0.05f, 0.08f, 0.04f, GRASS_PROFILE, 30.0f), 0x466a2e, 0x6b8c3e);
+	leaf.frequency = 2.6f;
+	Grower plant(seed);
+	const std::vector<int> stems = plant.add(stem, tuft(2, 0.05f, { 2.0f, 12.0f }));
+	const std::vector<int> branches = plant.add(branch, along(4, 0.3f, 0.95f, 137.5f, { 60.0f, 35.0f }), stems);
+	const std::vector<int> twigs = plant.add(twig, along(3, 0.3f, 1.0f, 180.0f, { 50.0f, 20.0f }), branches);
+	plant.add(leaf, along(4, 0.2f, 1.0f, 180.0f, { 60.0f, 30.0f }), twigs);
+	plant.add(leaf, along(2, 0.3f, 0.9f, 180.0f, { 60.0f, 40.0f }), branches);
+	return plant.finish();
+}

@@ -2,7 +2,8 @@
 
 #include "form/growth.hpp"
 
-/// Five plants of parts for tests: a tuft of grass, a tulip, a daisy, a fern and a cereal, grown as by a script.
+/// Six plants of parts for tests: a tuft of grass, a tulip, a daisy, a fern, a cereal and a shrub, grown as by a
+/// script.
 
 inline constexpr float DEGREE = 0.01745329f;
 
@@ -11,6 +12,8 @@ undergrowth::PlantForm grow_tulip(uint64_t seed);
 undergrowth::PlantForm grow_daisy(uint64_t seed);
 undergrowth::PlantForm grow_fern(uint64_t seed);
 undergrowth::PlantForm grow_cereal(uint64_t seed);
+/// With branches of branches: two stems, branches, twigs on these, and leaves on both.
+undergrowth::PlantForm grow_shrub(uint64_t seed);
 
 /// A form with a single upright part on the ground.
 undergrowth::PlantForm grow_alone(const undergrowth::Part &part, uint64_t seed = 1);

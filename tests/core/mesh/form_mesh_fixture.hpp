@@ -20,6 +20,7 @@ struct BuiltForm {
 	std::vector<float> weights;
 	std::vector<int32_t> indices;
 	std::vector<float> stem_places;
+	std::vector<undergrowth::InnerVertex> inner[undergrowth::MAX_INNER_SWINGS];
 
 	void resize(const undergrowth::MeshCounts &counts) {
 		const size_t n = static_cast<size_t>(counts.vertices);
@@ -34,11 +35,15 @@ struct BuiltForm {
 		bones.resize(4 * n);
 		weights.resize(4 * n);
 		stem_places.resize(n);
+		for (auto &order : inner) {
+			order.resize(n);
+		}
 		indices.resize(static_cast<size_t>(counts.indices), -1);
 	}
 	undergrowth::FormBuffers buffers() {
 		return { positions.data(), normals.data(), tangents.data(), colors.data(), uvs.data(), custom0.data(),
-			custom1.data(), custom2.data(), bones.data(), weights.data(), indices.data(), stem_places.data() };
+			custom1.data(), custom2.data(), bones.data(), weights.data(), indices.data(), stem_places.data(),
+			{ inner[0].data(), inner[1].data() } };
 	}
 	int size() const { return static_cast<int>(positions.size()); }
 	uint64_t hash() const {

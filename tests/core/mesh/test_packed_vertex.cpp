@@ -148,3 +148,30 @@ TEST_CASE("words of a packed vertex are normal floats") {
 		}
 	}
 }
+
+TEST_CASE("a packed inner swing keeps its codes, and its pivot and weight within their steps") {
+	for (uint32_t seed = 1; seed <= 500; seed++) {
+		const VertexAttributes from = attributes(seed);
+		InnerVertex swing;
+		swing.pivot = glm::vec3(from.custom1);
+		swing.weight = from.custom0.y;
+		swing.code = { from.custom1.w, from.custom2.w };
+		uint32_t words[PackedSwing::WORDS];
+		const PackedSwing packed = pack_swing(swing);
+		std::memcpy(words, packed.words, sizeof(words));
+		for (int i = 0; i < PackedSwing::WORDS; i++) { // As undergrowth_unpack_swing().
+			REQUIRE(std::isnormal(packed.words[i]));
+			words[i] &= 0x3fffffffu;
+			const float place = half_at(words[i], 0, 0xffffu);
+			REQUIRE(std::fabs(place - swing.pivot[i]) < HALF_STEP * std::fabs(swing.pivot[i]) + 1e-6f);
+		}
+		REQUIRE(float(words[0] >> 16) - 2048.0f == swing.code.pace);
+		REQUIRE(float(words[1] >> 16) - 2048.0f == swing.code.place);
+		REQUIRE(std::fabs(float(words[2] >> 16) / 255.0f - swing.weight) < 0.51f / 255.0f);
+	}
+	uint32_t none;
+	const PackedSwing empty = pack_swing(InnerVertex());
+	std::memcpy(&none, &empty.words[2], sizeof(none));
+	none = (none & 0x3fffffffu) >> 16;
+	CHECK(none == 0u);
+}

@@ -43,6 +43,9 @@ static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn, bool 
 	if (drawn == DrawnParts::solid) {
 		return solids_shader();
 	}
+	if (drawn == DrawnParts::orders) {
+		return orders_shader();
+	}
 	return drawn == DrawnParts::with_cards ? cards_shader() : shadows_shader();
 }
 

@@ -10,7 +10,12 @@ namespace undergrowth {
 // Materials of a field's plants, made from the material of a species. Main thread.
 
 /// What a material of plants of parts draws.
-enum class DrawnParts { solid, with_cards, shadows };
+enum class DrawnParts {
+	solid,
+	orders, ///< Solid, with a swing of each order of branches.
+	with_cards,
+	shadows,
+};
 
 /// Returns a new material that bends plants. A ShaderMaterial as `source` is copied. A BaseMaterial3D gives a material
 /// with the add-on's shader and the source's colours, textures and roughness; null gives that shader with its defaults.

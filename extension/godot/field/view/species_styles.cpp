@@ -112,6 +112,7 @@ void SpeciesStyle::take_needs(SampledPlant &sampled, const Ref<Material> &materi
 		is_packed = sampled.grown && reads_packed_vertices(material);
 	}
 	sampled.is_packed = is_packed;
+	has_orders = has_orders || (is_packed && sampled.grown->has_orders);
 }
 
 void SpeciesStyle::load_shader() const {
@@ -119,6 +120,9 @@ void SpeciesStyle::load_shader() const {
 	if (motion.has_parts) {
 		solids_shader();
 		shadows_shader();
+	}
+	if (has_orders) {
+		orders_shader();
 	}
 	if (cards) {
 		cards_shader();
@@ -347,7 +351,10 @@ DrawnParts SpeciesStyle::drawn_parts(size_t material) const {
 	if (is_carded(material)) {
 		return DrawnParts::with_cards;
 	}
-	return material > levels.size() ? DrawnParts::shadows : DrawnParts::solid;
+	if (material > levels.size()) {
+		return DrawnParts::shadows;
+	}
+	return has_orders ? DrawnParts::orders : DrawnParts::solid;
 }
 
 // Plants of parts are sampled with all variants at all levels. The samples of the first used level are kept for plants

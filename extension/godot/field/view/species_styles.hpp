@@ -52,6 +52,7 @@ struct SpeciesStyle {
 	std::shared_ptr<SharedCards> cards;
 	bool takes_cards = false; ///< True if its material can draw cards.
 	bool is_packed = false; ///< True if its meshes have packed vertices.
+	bool has_orders = false; ///< True if a variant has a swing of each order of branches.
 	godot::Ref<godot::Material> sampled_material; ///< The material for which it was sampled.
 	std::vector<bool> are_carded; ///< By level: drawn with cards. Empty: none.
 	std::vector<bool> have_bodies; ///< By level: solid, with bodies in place of open parts. Empty: none.
