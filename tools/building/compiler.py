@@ -37,6 +37,9 @@ def host_platform():
 
 
 def host_architecture():
+    """On a Mac one library is for both processors, as the .gdextension file lists it."""
+    if sys.platform == "darwin":
+        return "universal"
     machine = platform.machine().lower()
     return ARCHITECTURES.get(machine, machine)
 
@@ -139,8 +142,15 @@ def library_link_flags(env, name, release, import_library):
         return []
     if env["TARGET_PLATFORM"] == "macos":
         # Not -x: with that zig 0.17 writes indirect symbols that lead into the code.
-        return ["-Wl,-dead_strip", "-s", f"-Wl,-install_name,@rpath/{name}"]
+        return ["-Wl,-dead_strip", "-s", f"-Wl,-install_name,@rpath/{of_both(name)}"]
     return ["-s", f"-Wl,--out-implib,{import_library}"]
+
+
+def of_both(name):
+    """The name of the universal library with the library `name` in it."""
+    for processor in MAC_PROCESSORS:
+        name = name.replace(f".{processor}.", ".universal.")
+    return name
 
 
 def strict(env):
@@ -180,6 +190,11 @@ def for_kernels(env, file_name, arch):
 def library_suffix(platform, kind, arch, with_threads=True):
     """What the names of libraries and objects end in, before the file's type; as godot-cpp."""
     return f"{platform}.{kind}.{arch}" + ("" if with_threads else ".nothreads")
+
+
+def library_name(platform_name, kind, arch):
+    """The file of the add-on's library on a desktop."""
+    return f"libundergrowth.{library_suffix(platform_name, kind, arch)}{LIBRARY_SUFFIXES[platform_name]}"
 
 
 def use_godot_cpp(env, folder, platform, release, with_threads=True):
