@@ -26,6 +26,8 @@ WEB_PROGRAMS = {"CXX": "em++", "LINK": "em++", "SHLINK": "em++", "AR": "emar", "
 WEB_FLAGS = ["-sSIDE_MODULE=1", "-sSUPPORT_LONGJMP=wasm"]
 LIBRARY_SUFFIXES = {"linux": ".so", "windows": ".dll", "macos": ".dylib"}
 MAC_PROCESSORS = ["x86_64", "arm64"]
+# Without FMA: a fused multiply rounds once and would give other bits than the portable kernel.
+AVX2_FLAGS = ["-mavx2", "-mf16c", "-mno-fma"]
 ZIG_CACHES = ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")
 
 QUIET = {"CXX": "Compiling", "SHCXX": "Compiling", "AR": "Archiving", "RANLIB": "Indexing", "LINK": "Linking",
@@ -180,8 +182,7 @@ def for_kernels(env, file_name, arch):
     if not is_msvc(env):
         env.Append(CCFLAGS=["-fno-math-errno", "-fno-trapping-math"])
     if "avx2" in file_name and arch in ("x86_64", "universal"):
-        # Without FMA: a fused multiply rounds once and would give other bits than the portable kernel.
-        flags = ["/arch:AVX2"] if is_msvc(env) else ["-mavx2", "-mf16c", "-mno-fma"]
+        flags = ["/arch:AVX2"] if is_msvc(env) else AVX2_FLAGS
         # A universal object has its flags for one processor only.
         env.Append(CCFLAGS=[word for flag in flags for word in ("-Xarch_x86_64", flag)] if arch == "universal" else flags)
     return env
