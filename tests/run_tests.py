@@ -3,8 +3,9 @@
 
 SConstruct builds the programs and calls this (`scons test`). Each suite's output goes to build/test/<suite>.log. A crash,
 a timeout, a program that prints nothing and an engine that complains while it shuts down count as failures. The suites
-`soak`, `species`, `kernels` (bits and instructions on three processors) and `single` (the engine's headless ones without
-worker threads), and those on the zip, `package`, `export`, `windows` and `arm64`, run only by name.
+`soak`, `species`, `kernels` (bits and instructions on three processors), `syntax` (sources for phones and browsers) and
+`single` (the engine's headless ones without worker threads), and those on the zip, `package`, `export`, `windows` and `arm64`,
+run only by name.
 `fast` names the core's suite and the engine's headless ones: at most 4 minutes on two quiet cores.
 """
 
@@ -19,7 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tests")]
 
-from suites import arm64, bench_scene, editor, engine, export, package, picture, programs, soak, species, windows  # noqa: E402  (the path above comes first)
+from suites import arm64, bench_scene, editor, engine, export, package, picture, programs, soak, species, syntax, windows  # noqa: E402  (the path above comes first)
 from suites.result import processor_time  # noqa: E402
 
 LOGS = ROOT / "build/test"
@@ -58,8 +59,8 @@ def is_fast(name):
 
 
 def of_what_is_shipped(options):
-    """Suites on the zip, which take long and fetch much: only where they are named."""
-    suites = windows.suites() + arm64.suites()
+    """Suites on the zip and for other systems, which take long and fetch much: only where they are named."""
+    suites = windows.suites() + arm64.suites() + syntax.suites(options.only)
     return suites + (package.suites(options.godot) + export.suites(options.godot) if options.godot else [])
 
 

@@ -10,21 +10,34 @@ import shutil
 import sys
 from pathlib import Path
 
-from shipping import archive
+from building import compiler
+from shipping import archive, universal
 from toolchain import zig
 from toolchain.place import Missing
 
 ROOT = archive.ROOT
 BUILT = "build/package/bin"
+# Libraries for single processors of Macs, which are joined.
+PARTS = "build/package/parts"
 
 
 def build_all(program, jobs):
     """The libraries of all platforms in build/package/bin, and nothing else."""
-    shutil.rmtree(ROOT / BUILT, ignore_errors=True)
-    text = (ROOT / archive.LIST).read_text(encoding="utf-8")
-    for platform, arch in dict.fromkeys((platform, arch) for platform, _, arch in archive.listed(text).values()):
+    for folder in (BUILT, PARTS):
+        shutil.rmtree(ROOT / folder, ignore_errors=True)
+    for platform, arch in compiler.ZIG_TARGETS:
         print(f"{platform} {arch}", flush=True)
-        zig.build(platform, arch, "build", "target=both", f"into={BUILT}", program=program, jobs=jobs)
+        into = PARTS if platform == "macos" else BUILT
+        zig.build(platform, arch, "build", "target=both", f"into={into}", program=program, jobs=jobs)
+    join_parts(ROOT / PARTS, ROOT / BUILT)
+
+
+def join_parts(parts, libraries):
+    """Writes the universal libraries of the folder `parts` into the folder `libraries`."""
+    for kind in ("template_debug", "template_release"):
+        names = {arch: compiler.library_name("macos", kind, arch) for arch in compiler.MAC_PROCESSORS}
+        joined = universal.join({arch: (parts / name).read_bytes() for arch, name in names.items()})
+        (libraries / compiler.library_name("macos", kind, "universal")).write_bytes(joined)
 
 
 def pack(root, libraries, is_for_all):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws the pictures of the store's page into docs/store, off screen: views of the demo, the panel, the species, and a
-thumbnail. `--drawn=yes` takes the views that the last run has drawn."""
+thumbnail; and README's stills into docs/stills. `--drawn=yes` takes the pictures that the last run has drawn."""
 
 import argparse
 import sys
@@ -13,12 +13,19 @@ ROOT = Path(__file__).resolve().parents[1]
 STORE = ROOT / "docs/store"
 SIZE = (1280, 720)
 THUMBNAIL = 512
+STILLS = ROOT / "docs/stills"
+STILL_SIZE = (640, 360)
 # Views of the demo's scene.
 VIEWS = {"eye_height": "meadow", "against_the_sun": "sun", "at_the_pond": "pond", "flower": "flower"}
 THUMBNAIL_VIEW = "against_the_sun"
 # Pictures that README shows.
 SHIPPED = {"dock": "panel", "species": "species"}
 QUALITY = 82
+# Stills from other scenes. The scene of ivy has three cells beside each other, with titles at their lower ends.
+IVY_SIZE = (2048, 440)
+IVY_CELL = (0, 22, 680, 404)
+OTHER_STILLS = ("ivy", "own_species")
+OWN_SPECIES = "res://script_species/script_species.tscn"
 
 
 def fitted(picture):
@@ -45,6 +52,26 @@ def write(picture, name):
     print(f"{target.relative_to(ROOT)}: {target.stat().st_size / 1e3:.0f} kB")
 
 
+def draw(godot):
+    demo.import_resources(godot)
+    demo.capture(godot, SIZE, "--frames=0", "--views=yes")
+    demo.capture(godot, IVY_SIZE, "--scene=res://guide/climbers.tscn", "--name=ivy", "--frames=0")
+    demo.capture(godot, STILL_SIZE, f"--scene={OWN_SPECIES}", "--name=own_species", "--frames=1")
+
+
+def write_stills():
+    """README's stills: views of the demo, ivy, and species of one's own."""
+    from PIL import Image
+    drawn = {name: Image.open(demo.OUT / f"views/{view}.png") for view, name in VIEWS.items()}
+    drawn["ivy"] = Image.open(demo.OUT / "ivy.png").crop(IVY_CELL)
+    drawn["own_species"] = Image.open(demo.OUT / "frames/000.png")
+    STILLS.mkdir(exist_ok=True)
+    for name, picture in drawn.items():
+        target = STILLS / f"{name}.webp"
+        picture.convert("RGB").resize(STILL_SIZE, Image.LANCZOS).save(target, quality=QUALITY, method=6)
+        print(f"{target.relative_to(ROOT)}: {target.stat().st_size / 1e3:.0f} kB")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--godot", required=True)
@@ -57,14 +84,14 @@ def main():
     STORE.mkdir(exist_ok=True)
     try:
         if options.drawn == "no":
-            demo.import_resources(options.godot)
-            demo.capture(options.godot, SIZE, "--frames=0", "--views=yes")
+            draw(options.godot)
     except Missing as missing:
         sys.exit(str(missing))
     for source, name in VIEWS.items():
         write(fitted(Image.open(demo.OUT / f"views/{source}.png")), name)
     for source, name in SHIPPED.items():
         write(fitted(Image.open(ROOT / f"docs/{source}.webp")), name)
+    write_stills()
     write(square(Image.open(demo.OUT / f"views/{THUMBNAIL_VIEW}.png")), "thumbnail")
     return 0
 

@@ -40,16 +40,16 @@ START = "\nstart\n"
 DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibility"],
          "plant_bones": ["gl_compatibility"],
          "wind_shader": ["gl_compatibility", "forward_plus"],
-         "shader_functions": ["gl_compatibility"],
+         "shader_functions": ["gl_compatibility", "opengl3_es"],
          "model_materials": ["gl_compatibility"],
-         "climber_picture": ["gl_compatibility", "forward_plus"],
+         "climber_picture": ["gl_compatibility", "opengl3_es", "forward_plus"],
          "field_picture": ["gl_compatibility", "forward_plus"],
          "field_picture_cards": ["gl_compatibility", "forward_plus"],
          "field_picture_jitter": ["gl_compatibility", "forward_plus"],
          "field_picture_light": ["gl_compatibility", "forward_plus"],
          "field_picture_msaa": ["forward_plus"],
          "field_picture_near": ["gl_compatibility", "forward_plus"],
-         "field_picture_parts": ["gl_compatibility", "forward_plus"],
+         "field_picture_parts": ["gl_compatibility", "opengl3_es", "forward_plus"],
          "field_picture_stems": ["gl_compatibility", "forward_plus"],
          "ground_picture": ["forward_plus"],
          "field_skeletons": ["gl_compatibility", "forward_plus"],
@@ -65,6 +65,8 @@ DRAWN = {"threads": ["gl_compatibility"], "threads_first_mesh": ["gl_compatibili
          "mesh_plants_picture": ["gl_compatibility", "forward_plus"],
          "stand_picture": ["forward_plus"],
          "ready_species_picture": ["gl_compatibility"]}
+# The shading language and the formats of OpenGL ES 3.0 are those of WebGL 2.
+DRIVERS = {"opengl3_es": ["--rendering-method", "gl_compatibility", "--rendering-driver", "opengl3_es"]}
 # The slowest scripts, which start first.
 SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread", "field_extremes", "field_picture_cards",
         "field_picture_msaa", "field_picture_near", "field_materials_in_use", "field_vectors", "ground_picture",
@@ -242,7 +244,7 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0, kind="en
         words += ["--headless", *rounds.words()]
         return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
                                       environment=environment))
-    words += ["--rendering-method", method, "--audio-driver", "Dummy", "--resolution", WINDOW, *rounds.words()]
+    words += [*DRIVERS.get(method, ["--rendering-method", method]), "--audio-driver", "Dummy", "--resolution", WINDOW, *rounds.words()]
     try:
         with display.virtual(640, 360) as environment:
             environment = private_home({**environment, "GODOT": str(godot)}, part)

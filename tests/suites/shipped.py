@@ -40,11 +40,12 @@ def make_project(folder, settings=""):
 
 
 def make_test_project(folder):
-    """The same with the engine's tests, and with a list of extensions, without which a game finds none."""
+    """The same with the engine's tests, and with the lists of extensions and uids that an editor writes."""
     make_project(folder)
     (folder / "tests").mkdir()
     project.link(ROOT / "tests/engine", folder / "tests/engine")
     project.list_extensions(folder)
+    project.list_uids(folder)
     return folder
 
 

@@ -68,7 +68,7 @@ def macho(machine=0x0100000C, exports=(ENTRY,), needs=("/usr/lib/libSystem.B.dyl
     end = data_at + len(data)
     if is_signed:
         commands.append(struct.pack("<IIII", 0x1D, 16, end, 20 + 44 + 32))
-    body = struct.pack("<IiiIIIII", 0xFEEDFACF, machine, 0, 6, len(commands), size, 0, 0) + b"".join(commands) + data
+    body = struct.pack("<IiiIIIII", 0xFEEDFACF, machine, 3 if machine == 0x01000007 else 0, 6, len(commands), size, 0, 0) + b"".join(commands) + data
     if is_signed:
         directory = struct.pack(">IIIIIIIIIBBBBI", 0xFADE0C02, 44 + 32, 0x20400, 2, 44, 0, 0, 1, end, 32, 2, 0, 16, 0)
         body += struct.pack(">IIIII", 0xFADE0CC0, 20 + 44 + 32, 1, 0, 20) + directory + hashlib.sha256(body).digest()

@@ -9,6 +9,8 @@ GUIDE = ROOT / "docs/guide"
 SCENES = ROOT / "demo_project/guide"
 LINK = re.compile(r"\]\(([^)#]+)\)")
 CODE = re.compile(r"```.*?```", re.DOTALL)
+# Between the parts of a text that a source spells on several lines.
+SEAM = re.compile(r'"\s*\+?\s*"')
 MAX_BYTES = 1_500_000
 MAX_LINES = 130
 
@@ -44,6 +46,17 @@ class Guide(unittest.TestCase):
         pictures = {path.stem for path in (GUIDE / "pictures").glob("*.webp")}
         self.assertEqual(pictures, {path.stem for path in SCENES.glob("*.tscn")})
         self.assertEqual(pictures, set(re.findall(r"pictures/(\w+)\.webp", text)))
+
+    def test_messages_in_troubleshooting_are_those_of_the_add_on(self):
+        page = (GUIDE / "troubleshooting.md").read_text(encoding="utf-8")
+        table = page.partition("| message of the add-on |")[2].partition("\n\n")[0]
+        messages = re.findall(r"^\| `([^`]+)` \|", table, re.MULTILINE)
+        self.assertGreaterEqual(len(messages), 10)
+        sources = "".join(SEAM.sub("", path.read_text(encoding="utf-8")) for folder, kind in
+                          (("extension/core", "cpp"), ("extension/godot", "cpp"), ("addons/undergrowth", "gd"))
+                          for path in (ROOT / folder).rglob(f"*.{kind}"))
+        for message in messages:
+            self.assertIn(message, sources)
 
     def test_pictures_are_small(self):
         size = sum(path.stat().st_size for path in (GUIDE / "pictures").iterdir())

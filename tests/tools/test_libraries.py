@@ -1,17 +1,27 @@
 """Every error of a library is reported before it ships."""
 
+import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
-from shipping import checks
+from shipping import checks, universal
+from shipping.library import Unreadable
 from small_libraries import ENTRY, elf, macho, pe
 
 SYSTEMS = {"linux": (elf, "x86_64"), "windows": (pe, "x86_64"), "macos": (macho, "arm64")}
 PATH = "/home/somebody/undergrowth/"
+LIPO = next(filter(None, map(shutil.which, ("llvm-lipo", "llvm-lipo-14", "lipo"))), None)
+
+
+def parts(**options):
+    """A library of macOS for each processor; `options` are those of the one for arm64."""
+    return {"arm64": macho(**options), "x86_64": macho(machine=0x01000007, oldest=(10, 15), is_signed=False)}
 
 
 def wrong(data, platform, arch=None, **options):
@@ -83,6 +93,51 @@ class Libraries(unittest.TestCase):
     def test_for_this_machine_alone_it_may_need_what_that_has(self):
         data = elf(needs=("libstdc++.so.6",), versions=("GLIBC_2.38",), imports=())
         self.assertEqual(wrong(data, "linux", is_for_all=False), [])
+
+
+class UniversalLibraries(unittest.TestCase):
+    def assert_reported(self, sentence, data):
+        found = wrong(data, "macos", "universal")
+        self.assertEqual(len(found), 1, found)
+        self.assertRegex(found[0], sentence)
+
+    def test_parts_are_those_that_were_joined(self):
+        data = universal.join(parts(extra=b"text"))
+        self.assertEqual(universal.split(data), parts(extra=b"text"))
+        self.assertEqual(wrong(data, "macos", "universal"), [])
+
+    @unittest.skipUnless(LIPO, "no lipo is on PATH")
+    def test_bytes_are_those_of_lipo(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = []
+            for name, data in parts(extra=bytes(5000)).items():
+                paths.append(Path(folder, name))
+                paths[-1].write_bytes(data)
+            subprocess.run([LIPO, "-create", *paths, "-output", Path(folder, "both")], check=True)
+            listed = subprocess.run([LIPO, "-archs", Path(folder, "both")], check=True, capture_output=True, text=True)
+            self.assertEqual(listed.stdout.split(), ["x86_64", "arm64"])
+            theirs, ours = Path(folder, "both").read_bytes(), universal.join(parts(extra=bytes(5000)))
+            self.assertEqual(theirs, ours)
+
+    def test_each_part_is_checked(self):
+        self.assert_reported("for arm64 its signature does not hold", universal.join(parts(is_signed=False)))
+        self.assert_reported("for arm64 it holds a path", universal.join(parts(extra=PATH.encode())))
+
+    def test_of_one_processor_or_none(self):
+        self.assert_reported("it is no universal library", macho())
+        self.assert_reported("it is for arm64", universal.join({"arm64": macho()}))
+        self.assert_reported("it is for no processor", universal.join({}))
+
+    def test_half_of_one(self):
+        data = universal.join(parts())
+        self.assert_reported("its part for arm64 ends behind it", data[:-1])
+        self.assert_reported("broken library", data[:20])
+
+    def test_a_part_begins_with_a_page(self):
+        data = bytearray(universal.join(parts()) + bytes(8))
+        data[8 + 20 + 11] += 4  # The low byte of the offset of the part for arm64.
+        with self.assertRaisesRegex(Unreadable, "part for arm64 begins within a page"):
+            universal.split(bytes(data))
 
 
 if __name__ == "__main__":

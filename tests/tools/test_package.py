@@ -13,12 +13,14 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools"))
 
 import package
-from shipping import archive
+from shipping import archive, universal
 from small_libraries import elf, macho, pe
 
 ADDON = ROOT / "addons/undergrowth"
 LIBRARIES = {"linux.debug.x86_64": ("liba.so", elf()), "linux.release.arm64": ("libb.so", elf(machine=183)),
-             "windows.debug.x86_64": ("liba.dll", pe()), "macos.release.arm64": ("liba.dylib", macho(name="@rpath/liba.dylib"))}
+             "windows.debug.x86_64": ("liba.dll", pe()), "macos.release": ("liba.dylib", universal.join(
+                 {"arm64": macho(name="@rpath/liba.dylib"),
+                  "x86_64": macho(name="@rpath/liba.dylib", machine=0x01000007, oldest=(10, 15), is_signed=False)}))}
 LIST = "[libraries]\n\n" + "".join(f'{key} = "bin/{name}"\n' for key, (name, _) in LIBRARIES.items())
 
 
@@ -72,6 +74,16 @@ class Package(unittest.TestCase):
         self.pack()
         self.assertEqual(archive.place(self.root).read_bytes(), first)
 
+    def test_libraries_of_macs_are_joined(self):
+        parts = {"arm64": macho(), "x86_64": macho(machine=0x01000007)}
+        for kind in ("debug", "release"):
+            for arch, data in parts.items():
+                self.put(f"parts/libundergrowth.macos.template_{kind}.{arch}.dylib", data)
+        package.join_parts(self.addon / "parts", self.addon / "bin")
+        for kind in ("debug", "release"):
+            data = (self.addon / f"bin/libundergrowth.macos.template_{kind}.universal.dylib").read_bytes()
+            self.assertEqual(universal.split(data), parts)
+
     def assert_refused(self, sentence):
         wrong, _ = self.pack()
         self.assertEqual(len(wrong), 1, wrong)
@@ -90,6 +102,10 @@ class Package(unittest.TestCase):
     def test_nor_one_with_a_fault(self):
         self.put("bin/libb.so", elf())
         self.assert_refused("bin/libb.so: it is for linux on x86_64")
+
+    def test_nor_one_for_one_of_two_processors(self):
+        self.put("bin/liba.dylib", macho(name="@rpath/liba.dylib"))
+        self.assert_refused("bin/liba.dylib: it is no universal library")
 
     def test_nor_one_with_a_path_of_this_folder(self):
         self.put("bin/liba.so", elf(extra=str(self.root).encode() + b"/x.cpp"))

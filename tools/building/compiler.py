@@ -26,6 +26,8 @@ WEB_PROGRAMS = {"CXX": "em++", "LINK": "em++", "SHLINK": "em++", "AR": "emar", "
 WEB_FLAGS = ["-sSIDE_MODULE=1", "-sSUPPORT_LONGJMP=wasm"]
 LIBRARY_SUFFIXES = {"linux": ".so", "windows": ".dll", "macos": ".dylib"}
 MAC_PROCESSORS = ["x86_64", "arm64"]
+# Without FMA: a fused multiply rounds once and would give other bits than the portable kernel.
+AVX2_FLAGS = ["-mavx2", "-mf16c", "-mno-fma"]
 ZIG_CACHES = ("ZIG_GLOBAL_CACHE_DIR", "ZIG_LOCAL_CACHE_DIR")
 
 QUIET = {"CXX": "Compiling", "SHCXX": "Compiling", "AR": "Archiving", "RANLIB": "Indexing", "LINK": "Linking",
@@ -37,6 +39,9 @@ def host_platform():
 
 
 def host_architecture():
+    """On a Mac one library is for both processors, as the .gdextension file lists it."""
+    if sys.platform == "darwin":
+        return "universal"
     machine = platform.machine().lower()
     return ARCHITECTURES.get(machine, machine)
 
@@ -139,8 +144,15 @@ def library_link_flags(env, name, release, import_library):
         return []
     if env["TARGET_PLATFORM"] == "macos":
         # Not -x: with that zig 0.17 writes indirect symbols that lead into the code.
-        return ["-Wl,-dead_strip", "-s", f"-Wl,-install_name,@rpath/{name}"]
+        return ["-Wl,-dead_strip", "-s", f"-Wl,-install_name,@rpath/{of_both(name)}"]
     return ["-s", f"-Wl,--out-implib,{import_library}"]
+
+
+def of_both(name):
+    """The name of the universal library with the library `name` in it."""
+    for processor in MAC_PROCESSORS:
+        name = name.replace(f".{processor}.", ".universal.")
+    return name
 
 
 def strict(env):
@@ -170,8 +182,7 @@ def for_kernels(env, file_name, arch):
     if not is_msvc(env):
         env.Append(CCFLAGS=["-fno-math-errno", "-fno-trapping-math"])
     if "avx2" in file_name and arch in ("x86_64", "universal"):
-        # Without FMA: a fused multiply rounds once and would give other bits than the portable kernel.
-        flags = ["/arch:AVX2"] if is_msvc(env) else ["-mavx2", "-mf16c", "-mno-fma"]
+        flags = ["/arch:AVX2"] if is_msvc(env) else AVX2_FLAGS
         # A universal object has its flags for one processor only.
         env.Append(CCFLAGS=[word for flag in flags for word in ("-Xarch_x86_64", flag)] if arch == "universal" else flags)
     return env
@@ -180,6 +191,11 @@ def for_kernels(env, file_name, arch):
 def library_suffix(platform, kind, arch, with_threads=True):
     """What the names of libraries and objects end in, before the file's type; as godot-cpp."""
     return f"{platform}.{kind}.{arch}" + ("" if with_threads else ".nothreads")
+
+
+def library_name(platform_name, kind, arch):
+    """The file of the add-on's library on a desktop."""
+    return f"libundergrowth.{library_suffix(platform_name, kind, arch)}{LIBRARY_SUFFIXES[platform_name]}"
 
 
 def use_godot_cpp(env, folder, platform, release, with_threads=True):

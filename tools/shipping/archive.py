@@ -15,7 +15,7 @@ LEFT_OUT = {".exp", ".lib", ".pdb", ".ilk"}
 # The same files give the same archive.
 FIXED_TIME = (2026, 1, 1, 0, 0, 0)
 # Libraries for browsers are not in the zip: they depend on the version of Emscripten of the export templates.
-LIBRARY = re.compile(r'^(linux|windows|macos)\.(debug|release)\.(\w+) = "(bin/\S+)"$', re.MULTILINE)
+LIBRARY = re.compile(r'^(linux|windows|macos)\.(debug|release)(?:\.(\w+))? = "(bin/\S+)"$', re.MULTILINE)
 VERSION = re.compile(r'^version="(\S+)"$', re.MULTILINE)
 
 
@@ -30,8 +30,9 @@ def place(root=ROOT, is_for_all=True):
 
 
 def listed(text):
-    """{name in the add-on: (platform, kind, arch)} of the libraries in the text of the .gdextension file."""
-    return {path: (platform, kind, arch) for platform, kind, arch, path in LIBRARY.findall(text)}
+    """{name in the add-on: (platform, kind, arch)} of the libraries in the text of the .gdextension file. One without a
+    processor is for all processors of its platform."""
+    return {path: (platform, kind, arch or checks.UNIVERSAL) for platform, kind, arch, path in LIBRARY.findall(text)}
 
 
 def is_shipped(path):

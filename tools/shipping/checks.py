@@ -3,11 +3,12 @@
 import re
 import struct
 
-from . import elf, macho, pe
+from . import elf, macho, pe, universal
 from .library import Unreadable
 
 READERS = {b"\x7fELF": elf.read, b"MZ": pe.read, b"\xcf\xfa\xed\xfe": macho.read}
 ENTRY = "undergrowth_init"
+UNIVERSAL = "universal"  # The processor of a library that holds one for each.
 # Templates of the standard library that zig's linker shows on macOS: they take and give back memory as the system does.
 SHOWN_ON_MACOS = {"_mh_execute_header", "_mh_dylib_header", "__dso_handle"}
 ALLOCATION = re.compile(r"_Z(?:n[wa]|d[la]P)\w*")
@@ -37,6 +38,8 @@ def read(data):
 def complaints(data, platform, arch, file_name, paths=(), is_for_all=True):
     """What is wrong with the library `data`, called `file_name` and meant for `platform` and `arch`. `paths` are of the
     machine that built it. One that `is_for_all` needs what every such system has."""
+    if arch == UNIVERSAL:
+        return complaints_of_parts(data, platform, file_name, paths, is_for_all)
     try:
         library = read(data)
     except Unreadable as problem:
@@ -47,6 +50,19 @@ def complaints(data, platform, arch, file_name, paths=(), is_for_all=True):
     if is_for_all:
         found += wrong_needs(library) + wrong_system(library, file_name) + wrong_texts(data, paths)
     return found
+
+
+def complaints_of_parts(data, platform, file_name, paths, is_for_all):
+    try:
+        parts = universal.split(data)
+    except struct.error as error:
+        return [f"it is a broken library ({error})"]
+    except Unreadable as problem:
+        return [f"it is {problem}"]
+    if set(parts) != set(universal.PROCESSORS):
+        return [f"it is for {' and '.join(sorted(parts)) or 'no processor'}"]
+    return [f"for {arch} {wrong}" for arch, part in parts.items()
+            for wrong in complaints(part, platform, arch, file_name, paths, is_for_all)]
 
 
 def wrong_exports(library):

@@ -2,11 +2,15 @@
 extends RefCounted
 ## A [PlantMap] in files: an index that never changes, and a folder with one file for each painted
 ## tile. Only changed tiles are written, so that painting in different places can be merged.
+##
+## The engine loads this script with the formats that use it, also where the library is missing or
+## not yet loaded. So no code here names the class.
 
 ## Extension of the index.
 const EXTENSION := "plantmap"
 const TILE_EXTENSION := "res"
 const FORMAT := 1
+const MAP := &"PlantMap"
 ## Cells on each side of a tile: 32 m with the usual cells of 0.5 m.
 const TILE_CELLS := 64
 const SECTION := "plant_map"
@@ -16,7 +20,7 @@ const TILE_NAME := "tile_%d_%d." + TILE_EXTENSION
 
 
 ## Reads the index [param path] and all tiles. Returns null and reports an error if it is invalid.
-static func read(path: String) -> PlantMap:
+static func read(path: String) -> Resource:
 	var index := ConfigFile.new()
 	var format := 0
 	if index.load(path) == OK:
@@ -25,7 +29,7 @@ static func read(path: String) -> PlantMap:
 		var cause := "is from a later release" if format > FORMAT else "is not the index of a map"
 		push_error("%s %s. Take it from your version control, or paint a new map." % [path, cause])
 		return null
-	var map := PlantMap.new()
+	var map: Resource = ClassDB.instantiate(MAP)
 	map.cell_size = index.get_value(SECTION, "cell_size", map.cell_size)
 	var folder := path.get_base_dir().path_join(index.get_value(SECTION, "folder", ""))
 	for file in ResourceLoader.list_directory(folder):
@@ -38,7 +42,7 @@ static func read(path: String) -> PlantMap:
 
 ## Writes [param map] to the index [param path] and its folder: the tiles that have changed since it
 ## was read or written there, or all. [param stays]: further changes belong to these files.
-static func write(map: PlantMap, path: String, stays: bool) -> Error:
+static func write(map: Resource, path: String, stays: bool) -> Error:
 	var changed: Variant = _find_changes(map, path)
 	var folder := path.get_base_dir().path_join(folder_of(path))
 	var error := DirAccess.make_dir_recursive_absolute(folder)
@@ -47,7 +51,7 @@ static func write(map: PlantMap, path: String, stays: bool) -> Error:
 	if not changed is Dictionary or not FileAccess.file_exists(path):
 		error = _write_index(map, path)
 		changed = _all_tiles(map, folder)
-	var cells := map.snapshot()
+	var cells: Resource = map.snapshot()
 	for key: Vector2i in (changed as Dictionary).keys():
 		error = error if error != OK else _write_tile(cells, key, folder)
 		if error == OK:
@@ -55,6 +59,11 @@ static func write(map: PlantMap, path: String, stays: bool) -> Error:
 	if error == OK and stays:
 		_watch(map, path)
 	return error
+
+
+## Returns true if [param resource] is a [PlantMap].
+static func is_map(resource: Resource) -> bool:
+	return resource != null and resource.is_class(MAP)
 
 
 ## Returns the files of all tiles of the index [param path].
@@ -77,15 +86,15 @@ static func folder_of(path: String) -> String:
 	return index.get_value(SECTION, "folder", usual) if index.load(path) == OK else usual
 
 
-static func _read_tile(map: PlantMap, key: Vector2i, path: String) -> void:
-	var tile := ResourceLoader.load(path, "PlantMap", ResourceLoader.CACHE_MODE_IGNORE) as PlantMap
-	if tile and tile.cell_size == map.cell_size:
+static func _read_tile(map: Resource, key: Vector2i, path: String) -> void:
+	var tile := ResourceLoader.load(path, MAP, ResourceLoader.CACHE_MODE_IGNORE)
+	if is_map(tile) and tile.cell_size == map.cell_size:
 		map.restore(tile, _rect_of(map, key))
 	else:
 		push_error(path + " is not a tile of this map. Take it from your version control.")
 
 
-static func _write_index(map: PlantMap, path: String) -> Error:
+static func _write_index(map: Resource, path: String) -> Error:
 	var index := ConfigFile.new()
 	index.set_value(SECTION, "format", FORMAT)
 	index.set_value(SECTION, "cell_size", map.cell_size)
@@ -94,23 +103,23 @@ static func _write_index(map: PlantMap, path: String) -> Error:
 
 
 # A tile without paint has no file.
-static func _write_tile(cells: PlantMap, key: Vector2i, folder: String) -> Error:
+static func _write_tile(cells: Resource, key: Vector2i, folder: String) -> Error:
 	var path := folder.path_join(TILE_NAME % [key.x, key.y])
-	var tile := PlantMap.new()
+	var tile: Resource = ClassDB.instantiate(MAP)
 	tile.cell_size = cells.cell_size
 	tile.restore(cells, _rect_of(cells, key))
 	var exists := FileAccess.file_exists(path)
 	if not tile.get_painted_rect().has_area():
 		return DirAccess.remove_absolute(path) if exists else OK
 	if exists:
-		var known := ResourceLoader.load(path, "PlantMap", ResourceLoader.CACHE_MODE_IGNORE)
-		if known is PlantMap and (known as PlantMap).data == tile.data:
+		var known := ResourceLoader.load(path, MAP, ResourceLoader.CACHE_MODE_IGNORE)
+		if is_map(known) and known.data == tile.data:
 			return OK
 	return ResourceSaver.save(tile, path)
 
 
 # The painted tiles, and those with a file.
-static func _all_tiles(map: PlantMap, folder: String) -> Dictionary:
+static func _all_tiles(map: Resource, folder: String) -> Dictionary:
 	var tiles := {}
 	_add_tiles(map.get_painted_rect(), _side_of(map), tiles)
 	for file in ResourceLoader.list_directory(folder):
@@ -121,7 +130,7 @@ static func _all_tiles(map: PlantMap, folder: String) -> Dictionary:
 
 
 # The changed tiles are an argument of the connection: they exist as long as the map.
-static func _watch(map: PlantMap, path: String) -> void:
+static func _watch(map: Resource, path: String) -> void:
 	for connection in map.get_signal_connection_list(&"area_changed"):
 		var listener: Callable = connection["callable"]
 		if listener.get_method() == &"_add_tiles":
@@ -130,7 +139,7 @@ static func _watch(map: PlantMap, path: String) -> void:
 
 
 # Returns null if the map was not read from or written to this index.
-static func _find_changes(map: PlantMap, path: String) -> Variant:
+static func _find_changes(map: Resource, path: String) -> Variant:
 	for connection in map.get_signal_connection_list(&"area_changed"):
 		var listener: Callable = connection["callable"]
 		var bound := listener.get_bound_arguments()
@@ -149,12 +158,12 @@ static func _add_tiles(rect: Rect2, side: float, tiles: Dictionary, _path := "")
 			tiles[Vector2i(x, y)] = true
 
 
-static func _side_of(map: PlantMap) -> float:
+static func _side_of(map: Resource) -> float:
 	return map.cell_size * TILE_CELLS
 
 
 # Half a cell smaller on each side: its border belongs to the next tile.
-static func _rect_of(map: PlantMap, key: Vector2i) -> Rect2:
+static func _rect_of(map: Resource, key: Vector2i) -> Rect2:
 	var side := _side_of(map)
 	return Rect2(Vector2(key) * side, Vector2.ONE * side).grow(-0.5 * map.cell_size)
 

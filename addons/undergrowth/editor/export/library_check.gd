@@ -36,23 +36,25 @@ func find_faults(features: PackedStringArray) -> PackedStringArray:
 	if list.load(_folder.path_join(EXTENSION)) != OK:
 		return faults
 	for architecture in _architectures(features):
-		var library := _find_library(list, features, architecture)
-		if library.is_empty():
-			faults.append(
-				(
-					"There is no library for this platform (%s): the game will have no plants."
-					% ", ".join(features)
-				)
-			)
-		elif not FileAccess.file_exists(library):
-			faults.append(
-				(
-					("%s is missing: the game will have no plants. " % library)
-					+ "Install the whole release of the add-on, or build this library with "
-					+ "./run build %s." % _build_options(library.get_file())
-				)
-			)
+		var fault := _fault_of(_find_library(list, features, architecture), features)
+		if not fault.is_empty() and fault not in faults:
+			faults.append(fault)
 	return faults
+
+
+func _fault_of(library: String, features: PackedStringArray) -> String:
+	if library.is_empty():
+		return (
+			"There is no library for this platform (%s): the game will have no plants."
+			% ", ".join(features)
+		)
+	if FileAccess.file_exists(library):
+		return ""
+	return (
+		("%s is missing: the game will have no plants. " % library)
+		+ "Install the whole release of the add-on, or build this library with "
+		+ "./run build %s." % _build_options(library.get_file())
+	)
 
 
 # The name of a library is libundergrowth.PLATFORM.TARGET.ARCH and the file's type.
