@@ -210,24 +210,30 @@ func sum_of_light(shown: Image, top := 0, bottom := shown.get_height()) -> Vecto
 ## Returns the maximum value of all channels.
 func brightest_of(shown: Image) -> float:
 	var maximum := 0.0
-	for y in shown.get_height():
-		for x in shown.get_width():
-			var color := shown.get_pixel(x, y)
-			maximum = maxf(maximum, maxf(color.r, maxf(color.g, color.b)))
+	for channel in _channels_of(shown):
+		if channel > maximum:
+			maximum = channel
 	return maximum
 
 
 ## Returns the number of pixels with NaN, with a negative value, or brighter than [param maximum].
 func count_wrong(shown: Image, maximum: float) -> int:
 	var count := 0
-	for y in shown.get_height():
-		for x in shown.get_width():
-			var color := shown.get_pixel(x, y)
-			for channel: float in [color.r, color.g, color.b]:
-				if not (channel >= 0.0 and channel <= maximum):
-					count += 1
-					break
+	var last := -1
+	var channels := _channels_of(shown)
+	for i in channels.size():
+		if channels[i] >= 0.0 and channels[i] <= maximum:
+			continue
+		count += 1 if i / 3 != last else 0
+		last = i / 3
 	return count
+
+
+# Returns red, green and blue of all pixels.
+func _channels_of(shown: Image) -> PackedFloat32Array:
+	var copy: Image = shown.duplicate()
+	copy.convert(Image.FORMAT_RGBF)
+	return copy.get_data().to_float32_array()
 
 
 func _add_light() -> void:
