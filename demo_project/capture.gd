@@ -3,15 +3,15 @@ extends SceneTree
 ##
 ## godot --path demo_project --rendering-method forward_plus --fixed-fps 15 --audio-driver Dummy
 ##     --script res://capture.gd -- --out=DIR [--scene=res://field/field.tscn] [--name=demo]
-##     [--frames=60] [--every=1] [--size=1280x720] [--views=yes] [--fine=no]
+##     [--frames=60] [--every=1] [--size=1280x720] [--frame_size=640x360] [--views=yes]
+##     [--fine=no]
 ##
 ## Writes DIR/demo.png (of that size, with the panel), DIR/views/NAME.png for each camera under the
-## scene's node "Views" (without panels), and DIR/frames/000.png … (640×360 without it, one
+## scene's node "Views" (without panels), and DIR/frames/000.png … (of frame_size without it, one
 ## per frame of --fixed-fps, or per --every frames, with a gust); no frames with --frames=0. With
 ## --fine=no plants are as coarse as without a graphics card. Ends with status 1 where it could not.
 ## Forward+ in software (lavapipe) is faster than Compatibility (llvmpipe) and looks better.
 
-const FRAME_SIZE := Vector2i(640, 360)
 const WARM_UP_FRAMES := 100
 const GUST_FRAME := 8
 
@@ -21,6 +21,7 @@ var _options := {
 	"name": "demo",
 	"frames": "60",
 	"size": "1280x720",
+	"frame_size": "640x360",
 	"views": "",
 	"every": "1",
 	"fine": "yes",
@@ -45,15 +46,14 @@ func _take_pictures() -> void:
 	var frames := int(_options["frames"])
 	DirAccess.make_dir_recursive_absolute(folder.path_join("frames"))
 	await _sway()
-	var size: PackedStringArray = _options["size"].split("x")
-	await _draw_at(Vector2i(int(size[0]), int(size[-1])))
+	await _draw_at(_size("size"))
 	if not _save(folder.path_join("%s.png" % _options["name"])):
 		return
 	if _options["views"] and not await _take_views(folder.path_join("views")):
 		return
 	root.msaa_3d = Viewport.MSAA_2X  # In software a frame takes a third of the time.
 	_hide_panels()
-	await _draw_at(FRAME_SIZE)
+	await _draw_at(_size("frame_size"))
 	var every := int(_options["every"])
 	for index in frames:
 		if index * every == GUST_FRAME:
@@ -121,6 +121,11 @@ func _draw_at(size: Vector2i) -> void:
 	root.size = size
 	await _pass(1)
 	await RenderingServer.frame_post_draw
+
+
+func _size(option: String) -> Vector2i:
+	var size: PackedStringArray = _options[option].split("x")
+	return Vector2i(int(size[0]), int(size[-1]))
 
 
 func _trigger_gust() -> void:

@@ -171,8 +171,8 @@ func take_picture(name: String, of: Control = null) -> void:
 
 ## Waits for a frame that is drawn with all views.
 func drawn() -> void:
+	await frames(1)  # At its start, so that only one frame is drawn.
 	awaited_pictures += 1
-	await frames(1)
 	EditorInterface.get_base_control().queue_redraw()  # Without any movement no frame is drawn.
 	await RenderingServer.frame_post_draw
 	awaited_pictures -= 1

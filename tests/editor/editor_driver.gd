@@ -30,11 +30,11 @@ const LIFE_SIGN_SECONDS := 10.0
 ## One of this many frames draws the windows, and those for pictures. Without a graphics card,
 ## drawing takes nearly all of the time. All frames draw viewports that ask for a single picture, as
 ## those of thumbnails do.
-const DRAWN_FRAME := 64
+const DRAWN_FRAME := 256
 ## Microseconds of sleep in each frame. The editor would set 100,000 in a window without the focus.
 const FRAME_SLEEP := 1
 ## One of this many pixels of the 3D viewports is drawn.
-const DRAWN_PIXEL := 4
+const DRAWN_PIXEL := 16
 
 var _passed := 0
 var _failed := 0

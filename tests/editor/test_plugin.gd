@@ -124,11 +124,13 @@ func _is_built() -> bool:
 
 # The grid and the gizmos of the view have fewer primitives than the field.
 func _is_drawn() -> bool:
+	var view := EditorInterface.get_editor_viewport_3d(0)
 	for i in 10:
 		await drawn()
 		await frames(2)
-	var view := EditorInterface.get_editor_viewport_3d(0)
-	var count := view.get_render_info(
-		Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_PRIMITIVES_IN_FRAME
-	)
-	return count > MIN_PRIMITIVES
+		var count := view.get_render_info(
+			Viewport.RENDER_INFO_TYPE_VISIBLE, Viewport.RENDER_INFO_PRIMITIVES_IN_FRAME
+		)
+		if count > MIN_PRIMITIVES:
+			return true
+	return false

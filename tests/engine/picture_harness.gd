@@ -150,6 +150,8 @@ func empty_picture() -> Image:
 
 ## Returns the number of pixels in which two pictures differ.
 func count_different(one: Image, other: Image) -> int:
+	if _has_bytes(one) and _has_bytes(other) and one.get_size() == other.get_size():
+		return _count_different_bytes(_bytes_of(one), _bytes_of(other))
 	var count := 0
 	for y in one.get_height():
 		for x in one.get_width():
@@ -160,27 +162,78 @@ func count_different(one: Image, other: Image) -> int:
 	return count
 
 
+# Bytes instead of colours take a fraction of the time of get_pixel(). Equal pixels are most.
+func _count_different_bytes(one: PackedByteArray, other: PackedByteArray) -> int:
+	var count := 0
+	var most := roundi(TOLERANCE * 255.0)
+	var pixels := one.to_int32_array()
+	var others := other.to_int32_array()
+	for i in 0 if one == other else pixels.size():
+		if pixels[i] == others[i]:
+			continue
+		for at in range(4 * i, 4 * i + 3):
+			if absi(one[at] - other[at]) > most:
+				count += 1
+				break
+	return count
+
+
+func _has_bytes(image: Image) -> bool:
+	return image.get_format() in [Image.FORMAT_RGB8, Image.FORMAT_RGBA8]
+
+
+# Returns four bytes a pixel. Renderers give three where the picture is opaque.
+func _bytes_of(image: Image) -> PackedByteArray:
+	if image.get_format() == Image.FORMAT_RGBA8:
+		return image.get_data()
+	var copy: Image = image.duplicate()
+	copy.convert(Image.FORMAT_RGBA8)
+	return copy.get_data()
+
+
+## Returns the sum of the linear colours of the rows from [param top] to before [param bottom], of
+## all by default. w: the number of pixels that are not black.
+func sum_of_light(shown: Image, top := 0, bottom := shown.get_height()) -> Vector4:
+	var light := PackedFloat32Array()
+	for byte in 256:
+		light.append(Color8(byte, 0, 0).srgb_to_linear().r)
+	var bytes := _bytes_of(shown)
+	var pixels := bytes.to_int32_array()
+	var sum := Vector4.ZERO
+	for i in range(top * shown.get_width(), bottom * shown.get_width()):
+		if pixels[i] & 0xffffff == 0:
+			continue
+		sum += Vector4(light[bytes[4 * i]], light[bytes[4 * i + 1]], light[bytes[4 * i + 2]], 1.0)
+	return sum
+
+
 ## Returns the maximum value of all channels.
 func brightest_of(shown: Image) -> float:
 	var maximum := 0.0
-	for y in shown.get_height():
-		for x in shown.get_width():
-			var color := shown.get_pixel(x, y)
-			maximum = maxf(maximum, maxf(color.r, maxf(color.g, color.b)))
+	for channel in _channels_of(shown):
+		if channel > maximum:
+			maximum = channel
 	return maximum
 
 
 ## Returns the number of pixels with NaN, with a negative value, or brighter than [param maximum].
 func count_wrong(shown: Image, maximum: float) -> int:
 	var count := 0
-	for y in shown.get_height():
-		for x in shown.get_width():
-			var color := shown.get_pixel(x, y)
-			for channel: float in [color.r, color.g, color.b]:
-				if not (channel >= 0.0 and channel <= maximum):
-					count += 1
-					break
+	var last := -1
+	var channels := _channels_of(shown)
+	for i in channels.size():
+		if channels[i] >= 0.0 and channels[i] <= maximum:
+			continue
+		count += 1 if i / 3 != last else 0
+		last = i / 3
 	return count
+
+
+# Returns red, green and blue of all pixels.
+func _channels_of(shown: Image) -> PackedFloat32Array:
+	var copy: Image = shown.duplicate()
+	copy.convert(Image.FORMAT_RGBF)
+	return copy.get_data().to_float32_array()
 
 
 func _add_light() -> void:

@@ -247,8 +247,6 @@ func _look(distance: float, angle: float, turn: float) -> void:
 
 
 func _pixels(image: Image) -> float:
-	var count := 0
-	for y in image.get_height():
-		for x in image.get_width():
-			count += 1 if image.get_pixel(x, y).a > 0.5 else 0
-	return maxf(count, 1.0)
+	var covered := BitMap.new()
+	covered.create_from_image_alpha(image, 0.5)
+	return maxf(covered.get_true_bit_count(), 1.0)

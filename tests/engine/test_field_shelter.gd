@@ -178,6 +178,7 @@ func _field(species: Array, density: float) -> PlantField3D:
 	field.density = density
 	field.wind = _wind
 	field.combed = 0.0
+	field.levels = [PlantFieldLevel.of(2)]  # The search for levels takes longer than the motion.
 	root.add_child(field)
 	return field
 

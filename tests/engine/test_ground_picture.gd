@@ -163,7 +163,7 @@ func _make_stage(
 	stage = SubViewport.new()
 	stage.size = SIZE
 	stage.own_world_3d = true
-	stage.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	stage.render_target_update_mode = SubViewport.UPDATE_DISABLED
 	root.add_child(stage)
 	var day := DAY.instantiate()
 	var environment: WorldEnvironment = day.get_node(^"Environment")
@@ -194,7 +194,8 @@ func _make_stage(
 		stage.add_child(field)
 		_ground.set(&"field", field)
 	stage.add_child(_ground)
-	await frames(2)
+	for i in 2:
+		await process_frame  # Draws nothing.
 
 
 # Makes a stage with ground only, where plants of 0.8 m start at a distance. Returns its material.

@@ -99,17 +99,26 @@ func _draw(dots: PackedByteArray, a: Vector2, b: Vector2, c: Vector2) -> void:
 	var from := clampi(ceili(minf(minf(a.y, b.y), c.y) - 0.5), 0, ROWS)
 	var to := clampi(ceili(maxf(maxf(a.y, b.y), c.y) - 0.5), 0, ROWS)
 	for row in range(from, to):
+		var level := row + 0.5
 		var left := INF
 		var right := -INF
-		for edge: Array in [[a, b], [b, c], [c, a]]:
-			var start: Vector2 = edge[0]
-			var end: Vector2 = edge[1]
-			var level := row + 0.5
-			if (start.y <= level) != (end.y <= level):
-				var x := start.x + (end.x - start.x) * (level - start.y) / (end.y - start.y)
-				left = minf(left, x)
-				right = maxf(right, x)
-		var first := clampi(ceili(left - 0.5), 0, COLUMNS) if left < INF else 0
-		var beyond := clampi(ceili(right - 0.5), 0, COLUMNS) if left < INF else 0
-		for column in range(first, beyond):
-			dots[row * COLUMNS + column] = 1
+		# Unrolled over the edges: an array of them takes most of the time.
+		if (a.y <= level) != (b.y <= level):
+			var x := a.x + (b.x - a.x) * (level - a.y) / (b.y - a.y)
+			left = x
+			right = x
+		if (b.y <= level) != (c.y <= level):
+			var x := b.x + (c.x - b.x) * (level - b.y) / (c.y - b.y)
+			left = minf(left, x)
+			right = maxf(right, x)
+		if (c.y <= level) != (a.y <= level):
+			var x := c.x + (a.x - c.x) * (level - c.y) / (a.y - c.y)
+			left = minf(left, x)
+			right = maxf(right, x)
+		if left == INF:
+			continue
+		var begin := row * COLUMNS
+		for column in range(
+			clampi(ceili(left - 0.5), 0, COLUMNS), clampi(ceili(right - 0.5), 0, COLUMNS)
+		):
+			dots[begin + column] = 1

@@ -82,6 +82,7 @@ func _grow(species: String, wind: PlantWind) -> void:
 	field = PlantField3D.from_species([load(FOLDER + species)])
 	field.size = Vector2(6, 6)
 	field.density = 2.0
+	field.levels = [PlantFieldLevel.of(2)]  # The search for levels takes longer than the motion.
 	field.simulation_enabled = false
 	field.wind = wind
 	await start()

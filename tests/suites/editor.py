@@ -47,6 +47,11 @@ config/name="Undergrowth's editor tests"
 [editor_plugins]
 
 enabled=PackedStringArray({PLUGINS})
+
+[rendering]
+
+lights_and_shadows/directional_shadow/size=1024
+lights_and_shadows/directional_shadow/soft_shadow_filter_quality=0
 """
 TEST_LINE = re.compile(r"^(ok|not ok) (.*)$", re.MULTILINE)
 START_LINE = re.compile(r"^start$", re.MULTILINE)

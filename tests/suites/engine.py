@@ -71,6 +71,8 @@ DRIVERS = {"opengl3_es": ["--rendering-method", "gl_compatibility", "--rendering
 SLOW = {"field_tile_rebuild", "species_levels", "hot_reload", "physics_thread", "field_extremes", "field_picture_cards",
         "field_picture_msaa", "field_picture_near", "field_materials_in_use", "field_vectors", "ground_picture",
         "guide_shaders_msaa", "mesh_plants_picture", "shadows_picture", "stand_picture"}
+# Of all projects. In software, a shadow's picture of the usual size costs more than the plants in it.
+RENDERING = "[rendering]\n\nlights_and_shadows/directional_shadow/size=2048\n"
 # Additional settings in the projects of some scripts.
 SETTINGS = {"physics_thread": "[physics]\n\n3d/run_on_separate_thread=true\n",
             "step_setting": "[undergrowth]\n\nsimulation/step_length=0.025\n",
@@ -213,7 +215,7 @@ def make_project(name="project", links=(("tests/engine", "tests/engine"),), sett
     folder = LOGS / name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    (folder / "project.godot").write_text(PROJECT + "\n" + settings)
+    (folder / "project.godot").write_text("\n".join([PROJECT, RENDERING, settings]))
     project.prepare(folder, ROOT / "addons")
     for here, there in dict(links).items():
         (folder / here).parent.mkdir(parents=True, exist_ok=True)

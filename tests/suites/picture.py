@@ -18,8 +18,8 @@ FRAMES, EVERY = 2, 8
 SCENE_FRAMES = 20
 TIMEOUT = 900  # s: two cores may be busy with other suites.
 SCREEN = (640, 360)
-# Unlike that of the frames.
-STILL_SIZE = (480, 270)
+# Of the first window, whose frame is not looked at, of the still, and of the frames.
+WINDOW, STILL_SIZE, FRAME_SIZE = "160x90", (240, 135), (320, 180)
 # Shares of all pixels (of those in the upper third for the sky), well below what the demo shows.
 MIN_GREEN, MIN_SKY, MIN_MOVED = 0.15, 0.4, 0.02
 # A pixel has moved if a channel changed by more than dithering.
@@ -115,8 +115,8 @@ def demo(godot):
     if prepared:
         return Result("picture", 0, [f"the demo project could not be imported: {prepared}"])
     words = [godot, "--path", ROOT / "demo_project", "--rendering-method", "gl_compatibility", "--fixed-fps", "15",
-             "--audio-driver", "Dummy", "--script", "res://capture.gd", "--", f"--out={OUT}", f"--frames={FRAMES}",
-             f"--every={EVERY}", "--size={}x{}".format(*STILL_SIZE), "--fine=no"]
+             "--audio-driver", "Dummy", "--resolution", WINDOW, "--script", "res://capture.gd", "--", f"--out={OUT}", f"--frames={FRAMES}",
+             f"--every={EVERY}", "--size={}x{}".format(*STILL_SIZE), "--frame_size={}x{}".format(*FRAME_SIZE), "--fine=no"]
     try:
         with display.virtual(*SCREEN) as environment:
             problem = result.run("picture", words, timeout=TIMEOUT, environment=private_home(environment))[1]
@@ -129,8 +129,8 @@ def demo(godot):
 
 
 def judge(still, frames, of_scenes):
-    size = read_size(still)
-    failures = [] if size == STILL_SIZE else [f"demo.png has {size[0]} × {size[1]} pixels"]
+    sizes = {"demo.png": (read_size(still), STILL_SIZE), "a frame": (read_size(frames[0]), FRAME_SIZE)}
+    failures = [f"{what} has {size[0]} × {size[1]} pixels" for what, (size, wanted) in sizes.items() if size != wanted][:1]
     wrong = complaints(read_png(frames[0]), read_png(frames[-1]))
     passed = 4 - len(failures) - len(wrong) + (not of_scenes)
     return Result("picture", passed, failures + wrong + of_scenes)

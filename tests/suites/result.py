@@ -16,12 +16,13 @@ _used = threading.local()
 
 @dataclasses.dataclass
 class Result:
-    """The number of passed tests, one line per failed test, and lines to print in any case."""
+    """The number of passed tests, one line per failed test, lines to print in any case, and seconds of a processor."""
 
     name: str
     passed: int = 0
     failures: list = dataclasses.field(default_factory=list)
     notes: list = dataclasses.field(default_factory=list)
+    seconds: float = 0.0
 
 
 def run(name, command, timeout=300, folder=ROOT, environment=None, silence=None):

@@ -102,7 +102,7 @@ TEST_CASE("tips of any radius never gain energy of motion from contact") {
 
 TEST_CASE("a crowd of tips with an absurd radius comes to rest") {
 	for (const Law law : BOTH_LAWS) {
-		const int tips = repetitions(300, 100);
+		const int tips = repetitions(300, 60);
 		FieldSimulation field = lawn_of(law, tips, ABSURD_RADIUS);
 		TipContact contact;
 		contact.fit(field);
