@@ -48,6 +48,21 @@ PlantForm copy_rest(const PlantForm &form, const std::vector<int> &owners, std::
 	return rest;
 }
 
+/// Gives the rest the swings that its parts have in the whole form, where twigs on cards make branches slower.
+void keep_swings(const FormMeasure &measure, const std::vector<int> &into, CardForm &made) {
+	const auto in_rest = [&into](int part) { return part < 0 ? part : into[static_cast<size_t>(part)]; };
+	for (size_t i = 0; i < into.size(); i++) {
+		if (into[i] >= 0) {
+			PartAttachment &own = made.measure.attachments[static_cast<size_t>(into[i])];
+			own = measure.attachments[i];
+			own.swinger = in_rest(own.swinger);
+			for (InnerSwing &inner : own.inner) {
+				inner.swinger = in_rest(inner.swinger);
+			}
+		}
+	}
+}
+
 /// The finest rows with which all cards fit, or the coarsest ones: a plan draws fewer carriers then.
 CardRows rows_for(const CardForm &form, const CardSheet &sheet, int budget) {
 	for (const CardRows &rows : CARD_ROWS) {
@@ -129,6 +144,9 @@ CardForm make_card_form(const PlantForm &form, const FormMeasure &measure, const
 	std::vector<int> into;
 	made.rest = copy_rest(form, all.owners, into);
 	made.measure = measure_form(made.rest);
+	if (has_branched_branches(form)) {
+		keep_swings(measure, into, made);
+	}
 	for (size_t i = 0; i < all.places.size(); i++) {
 		const CardPlace &place = all.places[i];
 		if (!place.extent.is_empty()) {
@@ -171,6 +189,9 @@ void build_card_mesh(const CardForm &form, const CardPlan &plan, const FormBones
 	own.custom0 += vertex;
 	own.custom1 += vertex;
 	own.custom2 += vertex;
+	for (InnerVertex *&inner : own.inner) {
+		inner += inner ? vertex : 0;
+	}
 	own.bones += 4 * vertex;
 	own.weights += 4 * vertex;
 	own.stem_places += vertex;

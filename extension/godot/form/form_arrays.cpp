@@ -153,7 +153,7 @@ MeshArrays build_form_arrays(const GrownPlant &grown, const SampledPlant &sample
 	}
 	const MeshCounts counts = cards.is_empty() ? plan.counts : cards.counts;
 	FormArrays arrays(counts);
-	if (sampled.is_packed && grown.has_orders && cards.is_empty()) {
+	if (sampled.is_packed && grown.has_orders) {
 		arrays.add_inner(counts);
 	}
 	const FormBones none;

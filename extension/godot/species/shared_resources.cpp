@@ -18,8 +18,8 @@ static Ref<StandardMaterial3D> *material = nullptr;
 static Ref<ShaderMaterial> *of_sheets = nullptr;
 static Ref<Skin> *skin = nullptr;
 // For lathes, parts, in fields: parts without cards, parts with cards, and shadows; for climbers; and in fields: parts
-// with orders of branches.
-static constexpr int SHADERS = 7;
+// with orders of branches, without cards and with them.
+static constexpr int SHADERS = 8;
 static Ref<Shader> *shaders[SHADERS] = {};
 static bool parts_have_shader = false;
 static std::mutex making; // Meshes may be generated on several threads.
@@ -28,7 +28,8 @@ static const char *const SHADER_PATHS[SHADERS] = { "res://addons/undergrowth/sha
 	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_solids.gdshader",
 	"res://addons/undergrowth/shaders/plant_cards.gdshader", "res://addons/undergrowth/shaders/plant_shadows.gdshader",
 	"res://addons/undergrowth/shaders/plant_climber.gdshader",
-	"res://addons/undergrowth/shaders/plant_orders.gdshader" };
+	"res://addons/undergrowth/shaders/plant_orders.gdshader",
+	"res://addons/undergrowth/shaders/plant_order_cards.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
 	Ref<StandardMaterial3D> made = new_counted<StandardMaterial3D>();
@@ -97,6 +98,10 @@ Ref<Shader> climber_shader() {
 
 Ref<Shader> orders_shader() {
 	return load_shader(6);
+}
+
+Ref<Shader> orders_with_cards_shader() {
+	return load_shader(7);
 }
 
 static bool is_main_thread() {

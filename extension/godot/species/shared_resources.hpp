@@ -33,6 +33,8 @@ godot::Ref<godot::Shader> shadows_shader();
 /// Returns the add-on's shader of levels without cards of plants with branched branches. Stays loaded as plant_shader()
 /// does.
 godot::Ref<godot::Shader> orders_shader();
+/// The same for levels with cards.
+godot::Ref<godot::Shader> orders_with_cards_shader();
 /// Returns the add-on's shader of the leaves of climbers. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> climber_shader();
 

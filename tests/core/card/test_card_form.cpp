@@ -233,3 +233,63 @@ TEST_CASE("meshes with cards are the same on every platform") {
 		CHECK(CardedPlant(SPECIES[i], 5).mesh.hash() == goldens[i]);
 	}
 }
+
+TEST_CASE("cards on twigs have the swings of their twigs in the whole plant") {
+	Growth growth(0.4f, 1);
+	Part stem, branch, twig, bud;
+	stem.kind = branch.kind = twig.kind = PartKind::axis;
+	stem.length_min = stem.length_max = 0.3f;
+	branch.length_min = branch.length_max = 0.2f;
+	twig.length_min = twig.length_max = 0.1f;
+	stem.frequency = 0.0f;
+	branch.frequency = 1.4f;
+	twig.frequency = 2.2f;
+	stem.width = branch.width = twig.width = 0.003f;
+	bud.length_min = bud.length_max = 0.008f;
+	bud.width = 0.003f;
+	bud.frequency = 0.0f;
+	int kind = 0;
+	for (const Part &part : { stem, branch, twig, bud }) {
+		REQUIRE(growth.add_kind(part, kind) == "");
+	}
+	Arrangement ground, few, buds;
+	ground.layout = Layout::ground;
+	ground.count_min = ground.count_max = 2;
+	few.count_min = few.count_max = 4;
+	few.angle = buds.angle = { 0.9f, 0.5f };
+	few.from = buds.from = 0.2f;
+	buds.count_min = buds.count_max = 60;
+	std::vector<int> stems, branches, twigs, all;
+	REQUIRE(growth.arrange(0, ground, { ON_GROUND }, stems) == "");
+	REQUIRE(growth.arrange(1, few, stems, branches) == "");
+	REQUIRE(growth.arrange(2, few, branches, twigs) == "");
+	REQUIRE(growth.arrange(3, buds, twigs, all) == "");
+	const PlantForm form = growth.finish();
+	const FormMeasure measure = measure_form(form);
+	const CardSheet sheet = make_card_sheet(form);
+	REQUIRE(sheet.has_far_cards());
+	for (const CardReach reach : { CardReach::near, CardReach::far }) {
+		CAPTURE(static_cast<int>(reach));
+		const std::vector<int> &carriers = reach == CardReach::near ? twigs : branches;
+		const CardForm cards = make_card_form(form, measure, sheet, reach);
+		const CardPlan plan = plan_cards(cards, sheet, 5000);
+		REQUIRE(plan.strips.size() == carriers.size());
+		BuiltForm mesh;
+		mesh.resize(plan.counts);
+		build_card_mesh(cards, plan, FormBones(), {}, form.height, mesh.buffers());
+		int found = 0;
+		for (size_t i = 0; i < mesh.positions.size(); i++) {
+			if (!CardedPlant::is_card(mesh.custom0[i])) {
+				continue;
+			}
+			const InnerVertex &inner = mesh.inner[0][i];
+			CHECK(std::any_of(carriers.begin(), carriers.end(), [&](int handle) {
+				const PartAttachment &own = measure.attachments[static_cast<size_t>(handle)];
+				return own.inner[0].code.pace == inner.code.pace && own.inner[0].code.place == inner.code.place &&
+						own.code.pace == mesh.custom1[i].w;
+			}));
+			found += inner.weight > 0.5f ? 1 : 0;
+		}
+		CHECK(found >= (reach == CardReach::near ? static_cast<int>(twigs.size()) : 0));
+	}
+}

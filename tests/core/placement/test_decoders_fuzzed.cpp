@@ -1,5 +1,6 @@
 // Fuzz tests of the decoders: mutated bytes with a correct length and checksum, as in a damaged or hostile file.
 
+#include "../base/sanitized.hpp"
 #include "base/byte_codec.hpp"
 #include "base/random.hpp"
 #include "motion/motion_species.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-constexpr uint64_t ROUNDS = 4000;
+constexpr uint64_t ROUNDS = repetitions(4000, 1500);
 constexpr std::size_t LENGTH_AT = 6;
 /// Bit patterns of numbers at the limits of the readers.
 constexpr uint32_t ODD_WORDS[] = { 0u, 1u, 0x7fu, 0x80u, 0xffu, 0xffffu, 0x7fffffffu, 0x80000000u, 0xffffffffu,

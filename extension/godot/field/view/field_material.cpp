@@ -46,6 +46,9 @@ static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn, bool 
 	if (drawn == DrawnParts::orders) {
 		return orders_shader();
 	}
+	if (drawn == DrawnParts::orders_with_cards) {
+		return orders_with_cards_shader();
+	}
 	return drawn == DrawnParts::with_cards ? cards_shader() : shadows_shader();
 }
 

@@ -14,6 +14,7 @@ enum class DrawnParts {
 	solid,
 	orders, ///< Solid, with a swing of each order of branches.
 	with_cards,
+	orders_with_cards,
 	shadows,
 };
 

@@ -127,6 +127,9 @@ void SpeciesStyle::load_shader() const {
 	if (cards) {
 		cards_shader();
 	}
+	if (cards && has_orders) {
+		orders_with_cards_shader();
+	}
 }
 
 // The largest error of some variants: a single one may lack flowers, and then has no cards.
@@ -349,7 +352,7 @@ bool SpeciesStyle::is_carded(size_t material) const {
 // The nearest plants swing in the shadows, too.
 DrawnParts SpeciesStyle::drawn_parts(size_t material) const {
 	if (is_carded(material)) {
-		return DrawnParts::with_cards;
+		return has_orders ? DrawnParts::orders_with_cards : DrawnParts::with_cards;
 	}
 	if (material > levels.size()) {
 		return DrawnParts::shadows;
