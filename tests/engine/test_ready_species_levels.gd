@@ -65,8 +65,6 @@ func test_the_nearest_plants_are_geometry() -> void:
 		if file.get_extension() == "tres" and not file.get_basename() in CLOSE_CARDS:
 			all.append(load(FOLDER + file))
 	field = PlantField3D.from_species(all)
-	for entry in field.species:
-		entry.variants = 1
 	field.density = 0.2
 	field.simulation_enabled = false
 	await start()

@@ -122,7 +122,8 @@ String FieldRuntime::begin_sampling(bool places) {
 	for (const SpeciesStyle &style : setup.styles) {
 		existing.push_back(style.function);
 	}
-	sampler = std::make_unique<SpeciesSampler>(places, std::move(existing));
+	sampler = std::make_unique<SpeciesSampler>(
+			places, places && is_first_build() && !is_urgent() && !drafted, std::move(existing));
 	return sampler->begin(node, properties, sight_range_of(node), others_of(setup, store, properties, numbers));
 }
 

@@ -27,8 +27,7 @@ static std::mutex making; // Meshes may be generated on several threads.
 static const char *const SHADER_PATHS[SHADERS] = { "res://addons/undergrowth/shaders/plant_field.gdshader",
 	"res://addons/undergrowth/shaders/plant_parts.gdshader", "res://addons/undergrowth/shaders/plant_solids.gdshader",
 	"res://addons/undergrowth/shaders/plant_cards.gdshader", "res://addons/undergrowth/shaders/plant_shadows.gdshader",
-	"res://addons/undergrowth/shaders/plant_climber.gdshader",
-	"res://addons/undergrowth/shaders/plant_orders.gdshader",
+	"res://addons/undergrowth/shaders/plant_climber.gdshader", "res://addons/undergrowth/shaders/plant_orders.gdshader",
 	"res://addons/undergrowth/shaders/plant_order_cards.gdshader" };
 
 static Ref<StandardMaterial3D> make_material() {
@@ -74,6 +73,22 @@ static Ref<Shader> load_shader(int kind) {
 	delete shader;
 	shader = new Ref<Shader>(loaded);
 	return loaded;
+}
+
+static bool is_loaded(int kind) {
+	const std::lock_guard<std::mutex> lock(making);
+	return shaders[kind] && shaders[kind]->is_valid();
+}
+
+bool load_next_field_shader(bool of_parts, bool with_cards, bool with_orders) {
+	const bool needed[SHADERS] = { !of_parts, of_parts, of_parts, with_cards, of_parts, false, with_orders,
+		with_cards && with_orders };
+	for (int kind = 0; kind < SHADERS; kind++) {
+		if (needed[kind] && !is_loaded(kind)) {
+			return load_shader(kind).is_valid();
+		}
+	}
+	return false;
 }
 
 Ref<Shader> plant_shader(bool of_parts) {

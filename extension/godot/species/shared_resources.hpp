@@ -24,6 +24,10 @@ void load_parts_shader();
 /// new material after the last one was freed does not read and compile it again.
 godot::Ref<godot::Shader> plant_shader(bool of_parts);
 
+/// Loads one of the shaders of a field's plants that is not loaded yet, which takes about 20 ms. False if there is
+/// none.
+bool load_next_field_shader(bool of_parts, bool with_cards, bool with_orders);
+
 /// Returns the add-on's shader of levels of a field without cards. Stays loaded as plant_shader() does.
 godot::Ref<godot::Shader> solids_shader();
 /// Returns the add-on's shader of plants of parts with cards. Stays loaded as plant_shader() does.

@@ -291,7 +291,8 @@ static String leave_out_faulty(
 }
 
 String sample_styles(
-		FieldRenderSetup &setup, const std::vector<Ref<PlantFunction>> &existing, double usec, bool &is_done) {
+		FieldRenderSetup &setup, const std::vector<Ref<PlantFunction>> &existing, bool are_drafts, double usec,
+		bool &is_done) {
 	const Stopwatch watch;
 	is_done = false;
 	for (size_t i = 0; i < setup.styles.size(); i++) {
@@ -307,8 +308,10 @@ String sample_styles(
 			if (!fault.is_empty()) {
 				return fault;
 			}
-			if (style.is_sampled()) {
-				style.load_shader();
+		}
+		while (style.load_next_shader(are_drafts)) {
+			if (watch.usec() > usec) {
+				return String();
 			}
 		}
 	}

@@ -48,9 +48,9 @@ bool renders_on_threads();
 
 /// Samples styles for about `usec` µs; a script cannot be interrupted. Sets `is_done` if all are sampled. A species
 /// with a fault becomes absent. The fault is returned if that species is in `existing`, not in the list, or the last
-/// one.
-godot::String sample_styles(
-		FieldRenderSetup &setup, const std::vector<godot::Ref<PlantFunction>> &existing, double usec, bool &is_done);
+/// one. Loads their shaders, for drafts without that of cards.
+godot::String sample_styles(FieldRenderSetup &setup, const std::vector<godot::Ref<PlantFunction>> &existing,
+		bool are_drafts, double usec, bool &is_done);
 
 /// Returns a sampled and built style of a function that code adds plants of.
 godot::String read_other_style(const godot::Ref<PlantFunction> &function, const PlacementOptions &options,

@@ -28,7 +28,7 @@ bool SpeciesSampler::is_due() const {
 
 String SpeciesSampler::resume(double usec, bool &is_done) {
 	frame = this_frame();
-	return sample_styles(setup, existing, usec, is_done);
+	return sample_styles(setup, existing, are_drafts, usec, is_done);
 }
 
 bool SpeciesSampler::includes(const std::vector<SpeciesStyle> &others) const {

@@ -12,12 +12,13 @@ namespace undergrowth {
 /// frames.
 class SpeciesSampler {
 public:
-	/// `places_plants`: plants are placed afterwards. `with_plants`: functions of species that must not become absent
+	/// `places_plants`: plants are placed afterwards. `of_drafts`: drafts may be drawn first, which have no cards. `with_plants`: functions of species that must not become absent
 	/// by a fault.
-	SpeciesSampler(bool places_plants, std::vector<godot::Ref<PlantFunction>> &&with_plants) :
-			places(places_plants), existing(std::move(with_plants)) {}
+	SpeciesSampler(bool places_plants, bool of_drafts, std::vector<godot::Ref<PlantFunction>> &&with_plants) :
+			places(places_plants), are_drafts(of_drafts), existing(std::move(with_plants)) {}
 
 	const bool places;
+	const bool are_drafts;
 	/// The styles collected up to now; complete when resume() is done. Without meshes.
 	FieldRenderSetup setup;
 

@@ -47,6 +47,7 @@ static constexpr float NEAR_SHADOWS = 3.0f; // m: to there, dense species cast s
 static constexpr float MAX_SHADOW_VERTICES = 600.0f; // Per m², of a species that is not dense.
 static constexpr int MIN_SEGMENTS_OF_NEAR = 3; // Coarser levels of plants of parts are drawn in squares.
 
+static constexpr int NO_VARIANTS = 30; // Halvings.
 static constexpr int DRAFT_SEGMENTS = 5; // Few vertices, but parts are drawn one by one.
 
 // Triangles in view of a whole field, if it has this area or more (m²). Above that, levels change nearer than their
@@ -219,7 +220,6 @@ static void set_casters(const LevelRule &rule, SpeciesStyle &style, std::vector<
 // Each level of a model casts its own shadows, with the cut-out of its textures. Tall plants are thinned farther away.
 static void set_for_model(const SpeciesStyle &style, std::vector<FieldLevel> &levels) {
 	static constexpr float LOW = 0.5f; // m: height of plants that are thinned as those of parts.
-	static constexpr int NO_VARIANTS = 30; // Halvings.
 	const float taller = std::max(style.mean_height() * style.mean_scale / LOW, 1.0f);
 	const bool has_one = style.has_one_model();
 	for (FieldLevel &level : levels) {
@@ -303,7 +303,7 @@ void fit_drafts(FieldRenderSetup &setup) {
 			level->begin = 0.0f;
 			level->end = level->is_used ? setup.rule.range_end : 0.0f;
 			level->margin = level->end_margin = MIN_MARGIN;
-			level->halvings = 0;
+			level->halvings = NO_VARIANTS;
 			level->casts_shadows = false;
 			fit_tiles(*level, setup.tile_size, setup.rule.is_wider);
 		}

@@ -115,21 +115,8 @@ void SpeciesStyle::take_needs(SampledPlant &sampled, const Ref<Material> &materi
 	has_orders = has_orders || (is_packed && sampled.grown->has_orders);
 }
 
-void SpeciesStyle::load_shader() const {
-	plant_shader(motion.has_parts);
-	if (motion.has_parts) {
-		solids_shader();
-		shadows_shader();
-	}
-	if (has_orders) {
-		orders_shader();
-	}
-	if (cards) {
-		cards_shader();
-	}
-	if (cards && has_orders) {
-		orders_with_cards_shader();
-	}
+bool SpeciesStyle::load_next_shader(bool is_draft) const {
+	return load_next_field_shader(motion.has_parts, cards && !is_draft, has_orders);
 }
 
 // The largest error of some variants: a single one may lack flowers, and then has no cards.

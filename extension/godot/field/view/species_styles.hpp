@@ -112,9 +112,9 @@ struct SpeciesStyle {
 	int segments_at(const FieldLevel &level) const;
 	/// True if all variants and the motion are sampled.
 	bool is_sampled() const { return int(variants.size()) == variant_count && has_motion; }
-	/// Loads the shader of the sampled plants, on the main thread. A pool thread that loads a resource runs other tasks
-	/// meanwhile and could wait for itself.
-	void load_shader() const;
+	/// Loads one of the shaders of the sampled plants, on the main thread. A pool thread that loads a resource runs
+	/// other tasks meanwhile and could wait for itself. False if all are loaded. Drafts have no cards.
+	bool load_next_shader(bool is_draft) const;
 	/// Solves the stem and builds the mesh arrays of all samples, once. Any thread.
 	void build();
 	/// Creates meshes for about `usec` µs, on a thread that may create them (renders_on_threads()). Returns false if
