@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -122,6 +123,18 @@ TEST_CASE("pits are wet up to their outlet, and crests dry") {
 	CHECK(moisture.at({ 0.0f, 0.0f }) == 1.0f);
 	CHECK(moisture.at({ 7.0f, 0.0f }) == 1.0f);
 	CHECK(moisture.at({ 12.0f, 0.0f }) < 0.5f);
+}
+
+TEST_CASE("water of flat ground leaves by short ways") {
+	constexpr int SIDE = 41;
+	const HeightGrid grid = grid_of(SIDE, SIDE, 1.0f, [](double, double) { return 0.0; });
+	const std::vector<double> areas = find_drained_areas(grid);
+	double most = 0.0;
+	for (const double area : areas) {
+		most = std::max(most, area);
+	}
+	MESSAGE("at most " << most << " of " << SIDE * SIDE << " m2 drain through one point");
+	CHECK(most < 0.1 * SIDE * SIDE);
 }
 
 TEST_CASE("water leaves beside points without ground") {
