@@ -266,12 +266,16 @@ func _mean_light(shown: Image) -> float:
 func _tulip() -> PlantFunction:
 	var species: PlantFunction = load("res://addons/undergrowth/species/garden_tulip.tres")
 	species = species.duplicate()
+	_set_spring(species)
+	return species
+
+
+func _set_spring(species: PlantFunction) -> void:
 	species.law = PlantFunction.LAW_SPRING
 	species.natural_frequency = 1.8
 	species.damping_ratio = 0.08
 	species.wind_weight = 1.0
 	species.material = _material()
-	return species
 
 
 ## A field compares the brightness of its plants. A single plant has none to compare with.
@@ -299,11 +303,7 @@ func _shrub() -> PlantFunction:
 	var species := PlantFunction.new()
 	species.has_stem = false
 	species.arrangements = [stems] as Array[PlantArrangement]
-	species.law = PlantFunction.LAW_SPRING
-	species.natural_frequency = 1.8
-	species.damping_ratio = 0.08
-	species.wind_weight = 1.0
-	species.material = _material()
+	_set_spring(species)
 	return species
 
 

@@ -236,13 +236,6 @@ void measure_extents(const PlantForm &form, const std::vector<CardGroup> &groups
 	}
 }
 
-/// True if a part of this kind carries any of these kinds, directly or on other parts.
-bool has_on_it(const std::map<Key, Candidate> &all, int kind, const std::vector<CardGroup> &groups) {
-	return std::any_of(groups.begin(), groups.end(), [&](const CardGroup &group) {
-		return group.carrier_kind == kind || all.count({ kind, group.carrier_kind }) > 0;
-	});
-}
-
 /// Returns the kinds directly on a twig with many tiny parts around it, as of heather. Empty if it is no such twig.
 std::vector<int> kinds_on_twig(const std::map<Key, Candidate> &all, int carrier) {
 	std::vector<int> kinds;
@@ -271,21 +264,23 @@ std::vector<int> kinds_on_twig(const std::map<Key, Candidate> &all, int carrier)
 
 /// Adds the twigs that carry no others, and those that no others carry.
 void add_twigs(const PlantForm &form, const std::map<Key, Candidate> &all, std::vector<CardGroup> &groups) {
+	const auto carries = [&all](int kind, const CardGroup &group) {
+		return all.count({ kind, group.carrier_kind }) > 0;
+	};
 	std::vector<CardGroup> twigs;
 	for (int kind = 0; kind < static_cast<int>(form.parts.size()); kind++) {
 		const std::vector<int> kinds = kinds_on_twig(all, kind);
-		if (!kinds.empty() && !has_on_it(all, kind, groups)) {
+		const bool has_others = std::any_of(groups.begin(), groups.end(),
+				[&](const CardGroup &group) { return group.carrier_kind == kind || carries(kind, group); });
+		if (!kinds.empty() && !has_others) {
 			twigs.push_back({ kind, kinds, CardShape::strip });
 		}
 	}
-	const auto has_carrier = [&](const CardGroup &twig) {
-		return std::any_of(twigs.begin(), twigs.end(),
-				[&](const CardGroup &other) { return all.count({ other.carrier_kind, twig.carrier_kind }) > 0; });
-	};
 	for (CardGroup twig : twigs) {
-		const bool is_near = std::none_of(twigs.begin(), twigs.end(),
-				[&](const CardGroup &other) { return all.count({ twig.carrier_kind, other.carrier_kind }) > 0; });
-		const bool is_far = !has_carrier(twig);
+		const bool is_near = std::none_of(
+				twigs.begin(), twigs.end(), [&](const CardGroup &other) { return carries(twig.carrier_kind, other); });
+		const bool is_far = std::none_of(
+				twigs.begin(), twigs.end(), [&](const CardGroup &other) { return carries(other.carrier_kind, twig); });
 		twig.reach = is_near && is_far ? CardReach::any : is_near ? CardReach::near : CardReach::far;
 		if ((is_near || is_far) && groups.size() < MAX_CARD_GROUPS) {
 			groups.push_back(twig);

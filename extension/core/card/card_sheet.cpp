@@ -73,11 +73,15 @@ void add_layers(const PlantForm &form, const CardPlaces &all, int place, CardSha
 	sheet.pictures.insert(sheet.pictures.end(), made.begin(), made.end());
 }
 
+bool has_far(const std::vector<CardGroup> &groups) {
+	return std::any_of(
+			groups.begin(), groups.end(), [](const CardGroup &group) { return group.reach == CardReach::far; });
+}
+
 } // namespace
 
 bool CardSheet::has_far_cards() const {
-	return std::any_of(
-			groups.begin(), groups.end(), [](const CardGroup &group) { return group.reach == CardReach::far; });
+	return has_far(groups);
 }
 
 size_t CardSheet::size() const {
@@ -102,7 +106,7 @@ CardSheet make_card_sheet(const PlantForm &form) {
 	CardSheet sheet;
 	const std::vector<CardGroup> found = find_card_groups(form);
 	const CardPlaces near = place_cards(form, found, CardReach::near);
-	const CardPlaces far = place_cards(form, found, CardReach::far);
+	const CardPlaces far = has_far(found) ? place_cards(form, found, CardReach::far) : CardPlaces();
 	const auto places_of = [&](const CardGroup &group) -> const CardPlaces & {
 		return group.is_drawn(CardReach::near) ? near : far;
 	};

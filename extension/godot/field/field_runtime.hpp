@@ -255,6 +255,7 @@ private:
 	/// True if no build has shown more than drafts.
 	bool is_first_build() const;
 	/// True if a build may show drafts first.
+	bool may_need_drafts() const;
 	bool needs_drafts(const BuildInput &input) const;
 	void refine(std::unique_ptr<FieldBuild> &&shown);
 	/// Continues with what a first build left, after its plants are no drafts.

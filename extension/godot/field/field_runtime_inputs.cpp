@@ -122,8 +122,8 @@ String FieldRuntime::begin_sampling(bool places) {
 	for (const SpeciesStyle &style : setup.styles) {
 		existing.push_back(style.function);
 	}
-	sampler = std::make_unique<SpeciesSampler>(
-			places, places && is_first_build() && !is_urgent() && !drafted, std::move(existing));
+	const bool of_drafts = places && !drafted && may_need_drafts();
+	sampler = std::make_unique<SpeciesSampler>(places, of_drafts, std::move(existing));
 	return sampler->begin(node, properties, sight_range_of(node), others_of(setup, store, properties, numbers));
 }
 

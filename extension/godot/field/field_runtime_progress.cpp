@@ -63,10 +63,14 @@ bool FieldRuntime::is_first_build() const {
 	return store.generated_tiles().empty() || setup.is_draft;
 }
 
+bool FieldRuntime::may_need_drafts() const {
+	return is_first_build() && !is_urgent();
+}
+
 // Measuring the errors of species takes far longer than everything else in a first build.
 bool FieldRuntime::needs_drafts(const BuildInput &input) const {
 	const std::vector<SpeciesStyle> &styles = input.setup.styles;
-	return is_first_build() && !is_urgent() &&
+	return may_need_drafts() &&
 			!std::all_of(styles.begin(), styles.end(), [](const SpeciesStyle &style) { return style.is_measured(); });
 }
 

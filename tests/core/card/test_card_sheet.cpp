@@ -133,8 +133,8 @@ PlantForm grow_bell(bool has_lobes) {
 constexpr int STEMS = 10;
 constexpr int BRANCHES = 3;
 
-/// A low shrub: three branches on each of ten stems, and sixty buds of this length (m) around each branch.
-PlantForm grow_shrub(float bud_length) {
+/// A shrub like heather: three branches on each of ten stems, and sixty buds of this length (m) around each branch.
+PlantForm grow_heath(float bud_length) {
 	Growth growth(0.3f, 1);
 	Part stem, branch, bud;
 	stem.kind = branch.kind = PartKind::axis;
@@ -188,7 +188,7 @@ TEST_CASE("flowers of few petals are heads") {
 }
 
 TEST_CASE("twigs with tiny parts have a picture each for near forms, and one for several of them for far forms") {
-	const PlantForm form = grow_shrub(0.008f);
+	const PlantForm form = grow_heath(0.008f);
 	const CardSheet sheet = make_card_sheet(form);
 	REQUIRE(sheet.groups.size() == 2);
 	CHECK(sheet.has_far_cards());
@@ -205,7 +205,7 @@ TEST_CASE("twigs with tiny parts have a picture each for near forms, and one for
 }
 
 TEST_CASE("leaves that are seen one by one are not in the picture of a twig") {
-	CHECK(find_card_groups(grow_shrub(0.03f)).empty());
+	CHECK(find_card_groups(grow_heath(0.03f)).empty());
 }
 
 TEST_CASE("a bell is in the picture of its flower") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/form_mesh.hpp"
+#include "motion/part_bend.hpp"
 
 #include "../golden.hpp"
 
@@ -72,6 +73,10 @@ inline BuiltForm build(const undergrowth::PlantForm &form, const undergrowth::Fo
 			height > 0.0f ? height : form.height, mesh.buffers());
 	return mesh;
 }
+
+/// Position of a vertex on the skeleton of the mesh (m).
+glm::vec3 skinned(
+		const BuiltForm &mesh, const undergrowth::FormBones &bones, size_t vertex, const undergrowth::StemMotion &stem);
 
 /// View of a mesh from a distant camera.
 struct Sight {

@@ -56,23 +56,6 @@ glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem) {
 	return glm::mix(vertex, turned(vertex, stem.bend), mesh.custom0[i].x);
 }
 
-/// Position of a vertex on a skeleton.
-glm::vec3 skinned(const Grown &plant, size_t i, const StemMotion &stem) {
-	const glm::vec3 &vertex = plant.mesh.positions[i];
-	glm::vec3 sum(0.0f);
-	for (size_t k = 4 * i; k < 4 * i + 4; k++) {
-		const int bone = plant.mesh.bones[k];
-		glm::vec3 at = bone == FormBones::TIP ? turned(vertex, stem.bend) : vertex;
-		if (bone >= FormBones::FIRST) {
-			const PartPose pose = pose_of(plant.bones.bones()[static_cast<size_t>(bone - FormBones::FIRST)], stem);
-			const glm::quat turn(pose.turn.w, pose.turn.x, pose.turn.y, pose.turn.z);
-			at = pose.shift + pose.size * (turn * vertex);
-		}
-		sum += at * plant.mesh.weights[k];
-	}
-	return sum;
-}
-
 } // namespace
 
 TEST_CASE("a skeleton has root, tip and at most 30 other bones with unique names") {
@@ -133,7 +116,8 @@ TEST_CASE("without swinging parts a skeleton bends a plant like its stem alone")
 	for (const Grown &plant : all_plants()) {
 		float worst = 0.0f;
 		for (size_t i = 0; i < plant.mesh.positions.size(); i++) {
-			worst = std::max(worst, glm::distance(skinned(plant, i, stem), shaded(plant.mesh, i, stem)));
+			worst = std::max(
+					worst, glm::distance(skinned(plant.mesh, plant.bones, i, stem), shaded(plant.mesh, i, stem)));
 		}
 		CHECK(worst < 0.02f * plant.form.height);
 	}
@@ -152,7 +136,7 @@ TEST_CASE("a skeleton shows the same swing of leaves and heads as shaders") {
 		stiff.rest = stem.bend;
 		stiff.rate = glm::vec2(0.0f);
 		const glm::vec3 shown = shaded(plant.mesh, i, stem);
-		worst = std::max(worst, glm::distance(skinned(plant, i, stem), shown));
+		worst = std::max(worst, glm::distance(skinned(plant.mesh, plant.bones, i, stem), shown));
 		max = std::max(max, glm::distance(shaded(plant.mesh, i, stiff), shown));
 	}
 	CHECK(max > 0.05f * plant.form.height);

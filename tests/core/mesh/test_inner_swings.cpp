@@ -9,7 +9,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
 #include <string>
@@ -50,22 +49,6 @@ glm::vec3 shaded(const BuiltForm &mesh, size_t i, const StemMotion &stem, int or
 		vertex = chain[k].pivot + bent_way(vertex - chain[k].pivot, bend, chain[k].weight);
 	}
 	return glm::mix(vertex, turned(vertex, stem.bend), mesh.custom0[i].x);
-}
-
-glm::vec3 skinned(const Shrub &plant, size_t i, const StemMotion &stem) {
-	const glm::vec3 &vertex = plant.mesh.positions[i];
-	glm::vec3 sum(0.0f);
-	for (size_t k = 4 * i; k < 4 * i + 4; k++) {
-		const int bone = plant.mesh.bones[k];
-		glm::vec3 at = bone == FormBones::TIP ? turned(vertex, stem.bend) : vertex;
-		if (bone >= FormBones::FIRST) {
-			const PartPose pose = pose_of(plant.bones.bones()[static_cast<size_t>(bone - FormBones::FIRST)], stem);
-			const glm::quat turn(pose.turn.w, pose.turn.x, pose.turn.y, pose.turn.z);
-			at = pose.shift + pose.size * (turn * vertex);
-		}
-		sum += at * plant.mesh.weights[k];
-	}
-	return sum;
 }
 
 bool is_twig_bone(const Shrub &plant, int bone) {
@@ -188,7 +171,7 @@ TEST_CASE("a skeleton shows the same swing of twigs as shaders") {
 	for (size_t i = 0; i < plant.mesh.positions.size(); i++) {
 		if (is_twig_bone(plant, plant.mesh.bones[4 * i + 2])) {
 			const glm::vec3 shown = shaded(plant.mesh, i, gust(), 1);
-			worst = std::max(worst, glm::distance(skinned(plant, i, gust()), shown));
+			worst = std::max(worst, glm::distance(skinned(plant.mesh, plant.bones, i, gust()), shown));
 			max = std::max(max, glm::distance(shaded(plant.mesh, i, gust(), 0), shown));
 		}
 	}

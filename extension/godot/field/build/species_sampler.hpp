@@ -12,13 +12,12 @@ namespace undergrowth {
 /// frames.
 class SpeciesSampler {
 public:
-	/// `places_plants`: plants are placed afterwards. `of_drafts`: drafts may be drawn first, which have no cards. `with_plants`: functions of species that must not become absent
-	/// by a fault.
+	/// `places_plants`: plants are placed afterwards. `of_drafts`: drafts may be drawn first, which have no cards.
+	/// `with_plants`: functions of species that must not become absent by a fault.
 	SpeciesSampler(bool places_plants, bool of_drafts, std::vector<godot::Ref<PlantFunction>> &&with_plants) :
 			places(places_plants), are_drafts(of_drafts), existing(std::move(with_plants)) {}
 
 	const bool places;
-	const bool are_drafts;
 	/// The styles collected up to now; complete when resume() is done. Without meshes.
 	FieldRenderSetup setup;
 
@@ -34,6 +33,7 @@ public:
 	bool includes(const std::vector<SpeciesStyle> &others) const;
 
 private:
+	const bool are_drafts;
 	std::vector<godot::Ref<PlantFunction>> existing;
 	uint64_t frame = 0; ///< The last one in which scripts ran.
 };

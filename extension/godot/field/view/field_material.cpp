@@ -40,16 +40,19 @@ static Ref<Shader> version_of(const Ref<Shader> &shader, DrawnParts drawn, bool 
 	if (!is_packed || shader != plant_shader(true)) {
 		return shader;
 	}
-	if (drawn == DrawnParts::solid) {
-		return solids_shader();
+	switch (drawn) {
+		case DrawnParts::solid:
+			return solids_shader();
+		case DrawnParts::orders:
+			return orders_shader();
+		case DrawnParts::with_cards:
+			return cards_shader();
+		case DrawnParts::orders_with_cards:
+			return orders_with_cards_shader();
+		case DrawnParts::shadows:
+			break;
 	}
-	if (drawn == DrawnParts::orders) {
-		return orders_shader();
-	}
-	if (drawn == DrawnParts::orders_with_cards) {
-		return orders_with_cards_shader();
-	}
-	return drawn == DrawnParts::with_cards ? cards_shader() : shadows_shader();
+	return shadows_shader();
 }
 
 void set_shader(const Ref<ShaderMaterial> &material, const Ref<Shader> &shader) {
