@@ -2,9 +2,11 @@
 
 import dataclasses
 import fnmatch
+import itertools
 import os
 import re
 import shutil
+import threading
 from pathlib import Path
 
 from building import project
@@ -12,6 +14,9 @@ from toolchain import display
 from toolchain.place import Missing
 
 from .result import LOGS, ROOT, Result, run
+
+_own = threading.local()
+_numbers = itertools.count()
 
 PROJECT = """config_version=5
 
@@ -223,14 +228,17 @@ def make_project(name="project", links=(("tests/engine", "tests/engine"),), sett
     return folder
 
 
-def private_home(environment=os.environ, part=0):
-    """`environment`, changed so that the engine keeps its settings, caches and user's files below build/test, those of
-    several processes of one script apart."""
-    home = LOGS / (f"home_{part}" if part else "home")
-    home.mkdir(parents=True, exist_ok=True)
-    names = ("XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")
+def private_home(environment=os.environ):
+    """`environment`, changed so that the engine keeps its settings, caches and user's files below build/test. Each thread
+    has its own, because engines that start together create the same folders of shaders, and report those that exist.
+    Mesa's cache is for all."""
+    if not hasattr(_own, "home"):
+        _own.home = LOGS / f"home_{next(_numbers)}"
+    folders = {"XDG_DATA_HOME": _own.home / "data", "XDG_CONFIG_HOME": _own.home / "config", "XDG_CACHE_HOME": LOGS / "cache"}
+    for folder in folders.values():
+        folder.mkdir(parents=True, exist_ok=True)
     # The user in a container is often root, which is not the add-on's fault.
-    return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(home / name.lower()) for name in names}}
+    return {**environment, "GODOT_SILENCE_ROOT_WARNING": "1", **{name: str(folder) for name, folder in folders.items()}}
 
 
 def run_script(godot, folder, script, method=None, rounds=None, part=0, kind="engine"):
@@ -242,14 +250,14 @@ def run_script(godot, folder, script, method=None, rounds=None, part=0, kind="en
     # Tests that start another engine, for example for a frame rate, use this one.
     surroundings = {**os.environ, "GODOT": str(godot)}
     if not method:
-        environment = private_home(surroundings, part)
+        environment = private_home(surroundings)
         words += ["--headless", *rounds.words()]
         return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
                                       environment=environment))
     words += [*DRIVERS.get(method, ["--rendering-method", method]), "--audio-driver", "Dummy", "--resolution", WINDOW, *rounds.words()]
     try:
         with display.virtual(640, 360) as environment:
-            environment = private_home({**environment, "GODOT": str(godot)}, part)
+            environment = private_home({**environment, "GODOT": str(godot)})
             return read_output(name, *run(name, words, timeout=TIMEOUT * rounds.times, silence=TIMEOUT,
                                           environment=environment))
     except Missing as missing:
